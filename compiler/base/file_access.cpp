@@ -1,0 +1,130 @@
+// A path is judged by where it really leads (weakly_canonical follows every link) before a byte of it is read.
+
+#include "base/file_access.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+
+namespace plugc {
+namespace fs = std::filesystem;
+namespace {
+
+bool lies_under(const fs::path& path, const fs::path& root) {
+  const auto [root_end, path_at] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
+  return root_end == root.end();
+}
+
+fs::path real_path(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  const fs::path real = fs::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : real;
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  const int lower = std::tolower(static_cast<unsigned char>(c));
+  return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
+}
+
+/// "scheme:" in front of a url (RFC 3986, 3.1), or "". One letter is a drive, not a scheme.
+std::string_view scheme_of(std::string_view url) {
+  const std::size_t colon = url.find_first_of(":/?#");
+  if (colon == std::string_view::npos || url[colon] != ':' || colon < 2) return "";
+  return url.substr(0, colon);
+}
+
+}  // namespace
+
+DiskFiles::DiskFiles(fs::path root) : root_(root.empty() ? fs::path() : real_path(root)) {}
+
+FileContent DiskFiles::read(const fs::path& path) {
+  const fs::path real = real_path(path);
+  if (!root_.empty() && !lies_under(real, root_)) return {FileStatus::outside_root, ""};
+  std::error_code error;
+  if (!fs::is_regular_file(real, error)) return {FileStatus::missing, ""};
+  const auto size = fs::file_size(real, error);
+  if (error) return {FileStatus::missing, ""};
+  if (size > kMaxFileBytes) return {FileStatus::too_large, ""};
+  std::ifstream stream(real, std::ios::binary);
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream && !stream.eof()) return {FileStatus::missing, ""};
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return {FileStatus::ok, std::move(bytes)};
+}
+
+FileContent MemoryFiles::read(const fs::path& path) {
+  const auto found = files.find(path.lexically_normal().string());
+  if (found == files.end()) return {};
+  return {FileStatus::ok, found->second};
+}
+
+fs::path default_root(const fs::path& scene) {
+  std::error_code error;
+  const fs::path folder = real_path(scene).parent_path();
+  for (fs::path above = folder;; above = above.parent_path()) {
+    if (fs::exists(above / ".plugc.toml", error) || fs::exists(above / ".git", error)) return above;
+    if (above == above.parent_path()) break;
+  }
+  const fs::path current = real_path(fs::current_path(error));
+  if (lies_under(folder, current)) return current;
+  const fs::path parent = folder.parent_path();
+  return parent == parent.root_path() ? folder : parent;
+}
+
+std::optional<fs::path> resolve_url(std::string_view url, const fs::path& base) {
+  const std::string_view scheme = scheme_of(url);
+  if (scheme == "file") {
+    url.remove_prefix(5);
+    if (url.starts_with("//")) url.remove_prefix(std::min(url.find('/', 2), url.size()));
+  } else if (!scheme.empty()) {
+    return std::nullopt;
+  }
+  const fs::path path(percent_decode(url));
+  return (path.is_absolute() ? path : base.parent_path() / path).lexically_normal();
+}
+
+std::optional<std::string> read_url(FileAccess& files, std::string_view url, const fs::path& base, const Span& span,
+                                    Diagnostics& diagnostics) {
+  const auto path = resolve_url(url, base);
+  if (!path) {
+    diagnostics.report(DiagnosticId::file_unreadable, span, fmt::format("`{}` is no local file; plugc reads no network", url));
+    return std::nullopt;
+  }
+  FileContent content = files.read(*path);
+  switch (content.status) {
+    case FileStatus::ok: return std::move(content.bytes);
+    case FileStatus::missing:
+      diagnostics.report(DiagnosticId::file_unreadable, span, fmt::format("cannot read `{}`", url));
+      break;
+    case FileStatus::outside_root:
+      diagnostics.report(DiagnosticId::file_outside_root, span,
+                         fmt::format("`{}` leads outside the folder that this scene may read; `--root DIR` names a wider one", url));
+      break;
+    case FileStatus::too_large:
+      diagnostics.report(DiagnosticId::file_too_large, span,
+                         fmt::format("`{}` is larger than {} MiB", url, kMaxFileBytes >> 20));
+      break;
+  }
+  return std::nullopt;
+}
+
+std::string percent_decode(std::string_view text) {
+  std::string decoded;
+  decoded.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escape = text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 && hex_digit(text[i + 2]) >= 0;
+    decoded += escape ? static_cast<char>(hex_digit(text[i + 1]) * 16 + hex_digit(text[i + 2])) : text[i];
+    if (escape) i += 2;
+  }
+  return decoded;
+}
+
+}  // namespace plugc

@@ -1,0 +1,59 @@
+#pragma once
+// The only way to the file system. Readers take this interface, so that tests feed them from memory.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics.h"
+
+namespace plugc {
+
+enum class FileStatus { ok, missing, outside_root, too_large };
+
+struct FileContent {
+  FileStatus status = FileStatus::missing;
+  std::string bytes;
+};
+
+class FileAccess {
+ public:
+  virtual ~FileAccess() = default;
+  /// The whole file, or why not. Never throws.
+  virtual FileContent read(const std::filesystem::path& path) = 0;
+};
+
+/// Real files under `root` only, links followed before the question is asked. An empty root allows every file.
+class DiskFiles : public FileAccess {
+ public:
+  explicit DiskFiles(std::filesystem::path root);
+  FileContent read(const std::filesystem::path& path) override;
+
+ private:
+  std::filesystem::path root_;
+};
+
+/// Files in memory, for tests and fuzzers.
+class MemoryFiles : public FileAccess {
+ public:
+  std::map<std::string, std::string> files;
+  FileContent read(const std::filesystem::path& path) override;
+};
+
+/// The folder that a scene may read: the nearest one above it that holds `.plugc.toml` or `.git`, else the current folder
+/// where that lies above it, else the folder above its own (scenes commonly share `../textures`), unless that is `/`.
+std::filesystem::path default_root(const std::filesystem::path& scene);
+
+/// Where `url`, written in the file `base`, leads; nullopt when it is no local file (`http:`, `urn:`).
+std::optional<std::filesystem::path> resolve_url(std::string_view url, const std::filesystem::path& base);
+
+/// Reads the file that a url names, or reports at `span` why it cannot be read.
+std::optional<std::string> read_url(FileAccess& files, std::string_view url, const std::filesystem::path& base,
+                                    const Span& span, Diagnostics& diagnostics);
+
+/// Undoes %XX; a stray % stays as it is.
+std::string percent_decode(std::string_view text);
+
+}  // namespace plugc

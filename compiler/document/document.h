@@ -1,0 +1,139 @@
+#pragma once
+// What was written, whatever the encoding: nodes, fields and statements with their places, no meaning yet. Every encoding
+// fills the same plain structs. No node table is needed: a value is kept as the kind of thing that it looks like, and XML
+// attributes, which look like nothing, as text that the scene room reads by the field's type (read_lexical.h).
+//
+// Lists live in pools of the Document and are named by ranges, so a million nodes cost a few allocations.
+// Spans of decoded text come from MappedText: `\"` in a classic string or `&lt;` in an attribute do not shift places.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/source.h"
+
+namespace plugc {
+
+enum class Encoding : std::uint8_t { classic, vrml2, xml, json };
+
+/// A contiguous part of one pool of a Document.
+template <typename T>
+struct Range {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  bool empty() const { return count == 0; }
+};
+
+/// A name as written. `text` points into the source set (or, where an entity was decoded, into the Document).
+struct Name {
+  std::string_view text;
+  Span span;
+  bool empty() const { return text.empty(); }
+};
+
+struct NodeSyntax;
+
+enum class ValueKind : std::uint8_t {
+  none,     ///< Nothing written (an interface field without a default).
+  numbers,  ///< `1 2 3`, `[ 1, 2 ]`, `TRUE` (as 1): in `numbers`.
+  booleans, ///< As numbers, but every one was TRUE or FALSE.
+  strings,  ///< `"a" "b"`: in `strings`.
+  nodes,    ///< Node statements, also `NULL` (an empty range): in `nodes`.
+  empty,    ///< `[ ]`: an empty list of whatever the field holds.
+  lexical,  ///< The one string in `strings` holds the value's text (an XML attribute).
+  is,       ///< `IS name`: the name is the one string in `strings`.
+};
+
+struct ValueSyntax {
+  ValueKind kind = ValueKind::none;
+  bool bracketed = false;  ///< Written in [ ].
+  Span span;               ///< The whole value.
+  Range<double> numbers;
+  Range<MappedText> strings;
+  Range<NodeSyntax> nodes;
+};
+
+/// `name value`. In XML, a child element is a field with an empty name (the scene room finds the field by containerField).
+struct FieldSyntax {
+  Name name;
+  ValueSyntax value;
+};
+
+enum class AccessType : std::uint8_t { initialize_only, input_only, output_only, input_output };
+
+/// `inputOutput SFFloat alpha 0.5` in a Script, Effect, shader node or PROTO interface.
+struct InterfaceSyntax {
+  AccessType access = AccessType::initialize_only;
+  Name type;
+  Name name;
+  ValueSyntax value;
+  Span span;
+};
+
+enum class StatementKind : std::uint8_t { node, route, proto, externproto, import, export_ };
+
+struct RouteSyntax {
+  Name from_node, from_field, to_node, to_field;
+  Span span;
+};
+
+/// IMPORT inline.name AS alias; EXPORT name AS alias (inline_def empty).
+struct ImportSyntax {
+  Name inline_def, name, alias;
+  Span span;
+};
+
+/// One statement, in the order of the text. `index` points into the pool of its kind.
+struct StatementSyntax {
+  StatementKind kind = StatementKind::node;
+  std::uint32_t index = 0;
+};
+
+struct NodeSyntax {
+  Name type;   ///< Empty for USE.
+  Name def;    ///< DEF name, or empty.
+  Name use;    ///< USE name, or empty.
+  Name container_field;           ///< XML only.
+  Span span;                      ///< From DEF (or the type) to the closing bracket.
+  Range<FieldSyntax> fields;      ///< In the order of the text; a name may stand twice.
+  Range<InterfaceSyntax> interface;
+  Range<StatementSyntax> statements;  ///< ROUTE and PROTO inside the body.
+  Range<MappedText> cdata;        ///< XML: the CDATA sections and non-blank text directly inside, in order.
+};
+
+struct ProtoSyntax {
+  Name name;
+  Range<InterfaceSyntax> interface;
+  Range<StatementSyntax> body;    ///< Empty for an EXTERNPROTO.
+  Range<MappedText> urls;         ///< EXTERNPROTO only.
+  Span span;
+};
+
+struct Document {
+  SourceId source;
+  Encoding encoding = Encoding::classic;
+  std::uint32_t version_major = 3;  ///< As the header says (3.2, 4.0; 2.0 for VRML).
+  std::uint32_t version_minor = 0;
+  Range<StatementSyntax> statements;  ///< The top level.
+
+  std::vector<NodeSyntax> nodes;
+  std::vector<FieldSyntax> fields;
+  std::vector<InterfaceSyntax> interfaces;
+  std::vector<StatementSyntax> statement_pool;
+  std::vector<RouteSyntax> routes;
+  std::vector<ProtoSyntax> protos;
+  std::vector<ImportSyntax> imports;  ///< IMPORT and EXPORT.
+  std::vector<double> numbers;
+  std::vector<MappedText> strings;
+
+  std::span<const NodeSyntax> of(Range<NodeSyntax> range) const { return {nodes.data() + range.first, range.count}; }
+  std::span<const FieldSyntax> of(Range<FieldSyntax> range) const { return {fields.data() + range.first, range.count}; }
+  std::span<const InterfaceSyntax> of(Range<InterfaceSyntax> range) const { return {interfaces.data() + range.first, range.count}; }
+  std::span<const StatementSyntax> of(Range<StatementSyntax> range) const { return {statement_pool.data() + range.first, range.count}; }
+  std::span<const double> of(Range<double> range) const { return {numbers.data() + range.first, range.count}; }
+  std::span<const MappedText> of(Range<MappedText> range) const { return {strings.data() + range.first, range.count}; }
+};
+
+}  // namespace plugc

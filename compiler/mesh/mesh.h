@@ -1,0 +1,33 @@
+#pragma once
+// Geometry nodes as indexed triangles, lines or points. Object space, right-handed, units as in the scene.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "base/diagnostics.h"
+#include "scene/node_graph.h"
+
+namespace plugc {
+
+enum class Topology : std::uint8_t { triangles, lines, points };
+
+struct Mesh {
+  Topology topology = Topology::triangles;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;                    ///< Unit length; empty for lines and points without normals.
+  std::vector<std::vector<glm::vec4>> tex_coords;    ///< Per unit (s, t, r, q), as many as the node has or at least one default.
+  std::vector<glm::vec4> colors;                     ///< Linear RGBA; empty without a Color node.
+  bool colors_have_alpha = false;
+  std::vector<std::uint32_t> indices;                ///< Counter-clockwise triangles seen from the front.
+  bool solid = true;                                 ///< Back faces need not be drawn.
+  bool ccw = true;                                   ///< False: front faces are clockwise in `indices` (already as written).
+};
+
+/// The triangles of one geometry node; nullopt (with a diagnostic) where it has nothing to draw.
+/// Sources: X3D 4.1 (ISO/IEC 19775-1) clauses 11 (Rendering), 13 (Geometry3D), 18 (Texturing); Newell's teapot patches.
+std::optional<Mesh> make_mesh(const NodeGraph& graph, NodeId geometry, Diagnostics& diagnostics);
+
+}  // namespace plugc

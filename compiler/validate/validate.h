@@ -1,0 +1,93 @@
+#pragma once
+// The only door into glslang and SPIRV-Tools. Texts go to a worker process that keeps glslang warm; a crash or a hang in
+// there costs one program one message. Only this room makes a ValidatedProgram, and only that type enters a package.
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/source.h"
+#include "glsl/stage.h"
+
+namespace plugc {
+
+/// One stage as it is to be compiled: complete text, `#version` line included.
+struct StageText {
+  ShaderStage stage = ShaderStage::vertex;
+  MappedText text;
+};
+
+/// The candidate: its stages, each at most once, in pipeline order.
+struct ProgramText {
+  Target target = Target::glsl330;
+  std::vector<StageText> stages;
+};
+
+/// Type of a uniform or attribute, spelled as GLSL does (`vec3`, `sampler2DShadow`).
+struct ReflectedVariable {
+  std::string name;          ///< Without `[0]`.
+  std::string type;
+  std::uint32_t count = 1;   ///< Array size.
+};
+
+/// A program that glslang has accepted. Cannot be made elsewhere.
+class ValidatedProgram {
+ public:
+  Target target() const { return target_; }
+  const std::vector<StageText>& stages() const { return stages_; }
+  const std::vector<std::vector<std::uint32_t>>& spirv() const { return spirv_; }  ///< Per stage; for Target::spirv only.
+  const std::vector<ReflectedVariable>& uniforms() const { return uniforms_; }     ///< Active ones, in name order.
+  const std::vector<ReflectedVariable>& attributes() const { return attributes_; } ///< Active vertex inputs, in name order.
+
+ private:
+  friend class Validator;
+  ValidatedProgram() = default;
+  Target target_ = Target::glsl330;
+  std::vector<StageText> stages_;
+  std::vector<std::vector<std::uint32_t>> spirv_;
+  std::vector<ReflectedVariable> uniforms_;
+  std::vector<ReflectedVariable> attributes_;
+};
+
+/// What glslang said of one place.
+struct ShaderMessage {
+  ShaderStage stage = ShaderStage::vertex;
+  std::uint32_t line = 0;     ///< Of the composed text, from 1; 0 for the linker.
+  std::uint32_t begin = 0;    ///< The token meant, as bytes of the composed text (the whole line where none is named).
+  std::uint32_t end = 0;
+  Span span;                  ///< The author's place, through the text's map; not valid in generated text.
+  std::string text;           ///< In glslang's words, without its place.
+};
+
+struct ValidationResult {
+  std::optional<ValidatedProgram> program;  ///< Present when valid.
+  std::vector<ShaderMessage> messages;      ///< Errors when not valid; else empty.
+  bool died = false;                        ///< The worker crashed or overran on this program.
+};
+
+struct ValidatorOptions {
+  std::filesystem::path cache_folder;       ///< Verdicts by content hash; empty: no cache.
+  std::chrono::milliseconds timeout{5000};  ///< For one program.
+};
+
+/// Owns the worker. Make it before any thread is started: it forks.
+class Validator {
+ public:
+  explicit Validator(ValidatorOptions options);
+  ~Validator();
+  Validator(Validator&&) noexcept;
+  Validator& operator=(Validator&&) noexcept;
+
+  /// One result a program, in order. Equal texts are judged once.
+  std::vector<ValidationResult> validate(std::vector<ProgramText> programs);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace plugc

@@ -1,0 +1,66 @@
+#pragma once
+// THE FRAME: shadow passes, colour pass, readback. The embedding engineer's page: make a Renderer, draw frames.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/load_package.h"
+
+namespace plugc {
+
+/// RGBA, 8 bits a channel, rows from the bottom up.
+struct Picture {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+struct FrameOptions {
+  std::uint32_t width = 1280;
+  std::uint32_t height = 720;
+  std::string viewpoint;      ///< DEF name, or an index from 0; empty: the first one, or a view of the whole scene.
+  bool shadows = true;        ///< False: no depth pass, everything lit (for comparisons).
+};
+
+/// What a frame cost; counted, not timed.
+struct FrameStatistics {
+  std::uint32_t draw_calls = 0;
+  std::uint32_t shadow_passes = 0;
+  std::uint32_t shadow_draw_calls = 0;
+  std::uint32_t programs_used = 0;
+};
+
+/// How the context is tuned. Must be decided before the first Renderer of a process.
+struct RendererOptions {
+  bool single_picture = false;   ///< Quick code generation, slower drawing: best below about 60 frames.
+  std::string cache_folder;      ///< Mesa's shader cache (a subfolder a mode); empty: Mesa's default.
+};
+
+/// One scene of one package on one context of its own. Not thread-safe; use one per thread.
+/// The package must outlive the Renderer.
+class Renderer {
+ public:
+  /// On failure (no OSMesa, no GL 3.3) returns null and sets `error`.
+  static std::unique_ptr<Renderer> make(const RendererOptions& options, std::string& error);
+  ~Renderer();
+
+  /// Uploads what scene `scene` needs. Programs that the driver rejects are reported in messages() at the author's lines
+  /// and their shapes are not drawn.
+  bool load(const Package& package, std::uint32_t scene, std::string& error);
+
+  /// Sets the value of a slot (see PackedSlot); `values` holds all its numbers.
+  void set_slot(std::uint32_t slot, const std::vector<double>& values);
+
+  Picture draw(const FrameOptions& options);
+  const FrameStatistics& statistics() const;
+  const std::vector<std::string>& messages() const;  ///< Driver messages and odd inputs so far.
+
+ private:
+  Renderer();
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace plugc
