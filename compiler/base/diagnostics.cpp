@@ -1,14 +1,16 @@
-// The sink keeps order and drops exact repeats. The text form is the one compilers share, so that editors can jump to it:
-// place, severity, message, code; then the line and a caret that spans what is meant.
+// The sink keeps order and drops exact repeats, found by hash. The text form is the one compilers share, so that editors can
+// jump to it: place, severity, message, code; then the line and a caret that spans what is meant.
 
 #include "base/diagnostics.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/limits.h"
 
 namespace plugc {
 namespace {
@@ -21,7 +23,11 @@ constexpr std::array kKinds = {
 
 constexpr std::size_t kMaxShownLine = 160;
 
-/// The line with tabs as single spaces, and a caret line of equal columns.
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+/// The line with control characters (a tab, an escape sequence) as single spaces, and a caret line of equal columns.
 std::string excerpt(const Span& span, const SourceSet& sources) {
   const std::string_view line = sources.line_at(span.source, span.begin);
   if (line.size() > kMaxShownLine) return "";
@@ -32,8 +38,8 @@ std::string excerpt(const Span& span, const SourceSet& sources) {
   for (std::uint32_t i = span.begin; i < shown_end; ++i) {
     if ((static_cast<unsigned char>(line[i - line_begin]) & 0xC0U) != 0x80U) ++width;
   }
-  std::string shown(line);
-  std::replace(shown.begin(), shown.end(), '\t', ' ');
+  std::string shown(line.substr(line.starts_with("\xEF\xBB\xBF") ? 3 : 0));
+  std::replace_if(shown.begin(), shown.end(), is_control, ' ');
   return fmt::format("  {}\n  {:>{}}{}\n", shown, "^", column, std::string(width > 1 ? width - 1 : 0, '~'));
 }
 
@@ -41,6 +47,11 @@ std::string place(const Span& span, const SourceSet& sources) {
   if (!span.valid()) return "plugc";
   const Position at = sources.position(span.source, span.begin);
   return fmt::format("{}:{}:{}", sources.name(span.source), at.line, at.column);
+}
+
+std::size_t hash_of(DiagnosticId id, const Span& span, const std::string& message) {
+  const auto place = std::hash<std::uint64_t>()((std::uint64_t{span.begin} << 32) | span.end);
+  return std::hash<std::string>()(message) ^ (place * 31) ^ (static_cast<std::size_t>(id) << 17) ^ span.source.value;
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -66,10 +77,23 @@ const DiagnosticKind& diagnostic_kind(DiagnosticId id) {
 }
 
 void Diagnostics::report(DiagnosticId id, const Span& span, std::string message, std::vector<RelatedPlace> related) {
-  const bool known = std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& said) {
+  if (diagnostics_.size() > kMaxDiagnostics) return;
+  const std::size_t hash = hash_of(id, span, message);
+  const auto [first, last] = by_hash_.equal_range(hash);
+  const bool known = std::any_of(first, last, [&](const auto& entry) {
+    const Diagnostic& said = diagnostics_[entry.second];
     return said.id == id && said.span == span && said.message == message;
   });
-  if (!known) diagnostics_.push_back({id, span, std::move(message), std::move(related)});
+  if (known) return;
+  if (diagnostics_.size() == kMaxDiagnostics) {
+    diagnostics_.push_back({DiagnosticId::diagnostics_limit,
+                            {},
+                            fmt::format("more than {} things are wrong; no more of them are listed", kMaxDiagnostics),
+                            {}});
+    return;
+  }
+  by_hash_.emplace(hash, diagnostics_.size());
+  diagnostics_.push_back({id, span, std::move(message), std::move(related)});
 }
 
 std::size_t Diagnostics::count(Severity severity) const {
@@ -89,8 +113,8 @@ std::string_view to_text(Severity severity) {
 
 std::string to_text(const Diagnostic& diagnostic, const SourceSet& sources) {
   const DiagnosticKind& kind = diagnostic_kind(diagnostic.id);
-  std::string text = fmt::format("{}: {}: {} [{}]\n", place(diagnostic.span, sources), to_text(kind.severity),
-                                 diagnostic.message, kind.code);
+  std::string text =
+      fmt::format("{}: {}: {} [{}]\n", place(diagnostic.span, sources), to_text(kind.severity), diagnostic.message, kind.code);
   if (diagnostic.span.valid()) text += excerpt(diagnostic.span, sources);
   for (const RelatedPlace& related : diagnostic.related) {
     text += fmt::format("{}: note: {}\n", place(related.span, sources), related.message);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/source.h"
@@ -23,7 +24,7 @@ enum class DiagnosticId : std::uint16_t {
 
 /// What the registry knows of a kind.
 struct DiagnosticKind {
-  std::string_view code;     ///< Stable, e.g. `effect-unknown-plug`.
+  std::string_view code;  ///< Stable, e.g. `effect-unknown-plug`.
   Severity severity;
   std::string_view meaning;  ///< One sentence for docs and SARIF.
 };
@@ -42,7 +43,8 @@ struct Diagnostic {
   std::vector<RelatedPlace> related;
 };
 
-/// Collects what is said, in order, each different thing once (an effect used by a thousand shapes is one mistake).
+/// Collects what is said, in order, each different thing once (an effect used by a thousand shapes is one mistake), up to
+/// kMaxDiagnostics of them.
 class Diagnostics {
  public:
   explicit Diagnostics(const SourceSet& sources) : sources_(&sources) {}
@@ -57,6 +59,7 @@ class Diagnostics {
  private:
   const SourceSet* sources_;
   std::vector<Diagnostic> diagnostics_;
+  std::unordered_multimap<std::size_t, std::size_t> by_hash_;  // indices of diagnostics_
 };
 
 /// `file:line:column: error: message [code]`, the line itself and a caret under the span, then the related places.

@@ -17,14 +17,17 @@ namespace {
 
 bool lies_under(const fs::path& path, const fs::path& root) {
   const auto [root_end, path_at] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
-  return root_end == root.end();
+  return !root.empty() && root_end == root.end();
 }
 
+/// Absolute, without links and dots, without a slash at the end; empty when it leads nowhere (links in a circle).
 fs::path real_path(const fs::path& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
+  if (error) return {};
   const fs::path real = fs::weakly_canonical(absolute, error);
-  return error ? absolute.lexically_normal() : real;
+  if (error) return {};
+  return real.has_filename() || real == real.root_path() ? real : real.parent_path();
 }
 
 int hex_digit(char c) {
@@ -42,11 +45,12 @@ std::string_view scheme_of(std::string_view url) {
 
 }  // namespace
 
-DiskFiles::DiskFiles(fs::path root) : root_(root.empty() ? fs::path() : real_path(root)) {}
+DiskFiles::DiskFiles(fs::path root) : root_(real_path(root)), confined_(!root.empty()) {}
 
 FileContent DiskFiles::read(const fs::path& path) {
   const fs::path real = real_path(path);
-  if (!root_.empty() && !lies_under(real, root_)) return {FileStatus::outside_root, ""};
+  if (real.empty()) return {FileStatus::missing, ""};
+  if (confined_ && !lies_under(real, root_)) return {FileStatus::outside_root, ""};
   std::error_code error;
   if (!fs::is_regular_file(real, error)) return {FileStatus::missing, ""};
   const auto size = fs::file_size(real, error);
@@ -74,7 +78,8 @@ fs::path default_root(const fs::path& scene) {
     if (above == above.parent_path()) break;
   }
   const fs::path current = real_path(fs::current_path(error));
-  if (lies_under(folder, current)) return current;
+  if (folder.empty()) return current;  // never empty, which would allow every file
+  if (current != current.root_path() && lies_under(folder, current)) return current;
   const fs::path parent = folder.parent_path();
   return parent == parent.root_path() ? folder : parent;
 }
@@ -87,7 +92,9 @@ std::optional<fs::path> resolve_url(std::string_view url, const fs::path& base) 
   } else if (!scheme.empty()) {
     return std::nullopt;
   }
-  const fs::path path(percent_decode(url));
+  const std::string name = percent_decode(url.substr(0, url.find('#')));
+  if (name.find('\0') != std::string::npos) return std::nullopt;  // the system would cut the name there
+  const fs::path path(name);
   return (path.is_absolute() ? path : base.parent_path() / path).lexically_normal();
 }
 
@@ -105,8 +112,9 @@ std::optional<std::string> read_url(FileAccess& files, std::string_view url, con
       diagnostics.report(DiagnosticId::file_unreadable, span, fmt::format("cannot read `{}`", url));
       break;
     case FileStatus::outside_root:
-      diagnostics.report(DiagnosticId::file_outside_root, span,
-                         fmt::format("`{}` leads outside the folder that this scene may read; `--root DIR` names a wider one", url));
+      diagnostics.report(
+          DiagnosticId::file_outside_root, span,
+          fmt::format("`{}` leads outside the folder that this scene may read; `--root DIR` names a wider one", url));
       break;
     case FileStatus::too_large:
       diagnostics.report(DiagnosticId::file_too_large, span,

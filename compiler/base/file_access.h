@@ -33,6 +33,7 @@ class DiskFiles : public FileAccess {
 
  private:
   std::filesystem::path root_;
+  bool confined_;
 };
 
 /// Files in memory, for tests and fuzzers.
@@ -43,10 +44,11 @@ class MemoryFiles : public FileAccess {
 };
 
 /// The folder that a scene may read: the nearest one above it that holds `.plugc.toml` or `.git`, else the current folder
-/// where that lies above it, else the folder above its own (scenes commonly share `../textures`), unless that is `/`.
+/// where that lies above it, else the folder above its own (scenes commonly share `../textures`). Neither of the last two
+/// counts when it is `/`; the scene's own folder is taken then.
 std::filesystem::path default_root(const std::filesystem::path& scene);
 
-/// Where `url`, written in the file `base`, leads; nullopt when it is no local file (`http:`, `urn:`).
+/// Where `url`, written in the file `base`, leads, without its `#fragment`; nullopt when it is no local file (`http:`, `urn:`).
 std::optional<std::filesystem::path> resolve_url(std::string_view url, const std::filesystem::path& base);
 
 /// Reads the file that a url names, or reports at `span` why it cannot be read.

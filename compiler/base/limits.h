@@ -7,6 +7,9 @@
 namespace plugc {
 
 inline constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;     ///< One file, read whole.
+inline constexpr std::size_t kMaxSyntaxMistakes = 100;                   ///< Reported in one file; then reading it stops.
+inline constexpr std::size_t kMaxDocumentItems = 8'000'000;              ///< Nodes, fields, strings, statements of one file.
+inline constexpr std::size_t kMaxDiagnostics = 10'000;                   ///< Different things said in one run.
 inline constexpr std::uint32_t kMaxNesting = 512;                        ///< Nodes inside nodes, as written.
 inline constexpr std::uint32_t kMaxInlineDepth = 32;                     ///< Inline inside Inline.
 inline constexpr std::uint32_t kMaxProtoDepth = 64;                      ///< Prototype inside prototype, expanded.

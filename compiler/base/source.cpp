@@ -8,6 +8,11 @@
 #include "base/check.h"
 
 namespace plugc {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // no column of its own in any editor
+
+}  // namespace
 
 Span join(const Span& first, const Span& last) {
   PLUGC_CHECK(first.source == last.source, "join spans of one source");
@@ -19,14 +24,17 @@ SourceId SourceSet::add(std::string name, std::string text) {
   return {static_cast<std::uint32_t>(sources_.size() - 1)};
 }
 
-std::string_view SourceSet::name(SourceId id) const {
+const SourceSet::Source& SourceSet::source(SourceId id) const {
   PLUGC_CHECK(id.value < sources_.size(), "a source of this set");
-  return sources_[id.value].name;
+  return sources_[id.value];
+}
+
+std::string_view SourceSet::name(SourceId id) const {
+  return source(id).name;
 }
 
 std::string_view SourceSet::text(SourceId id) const {
-  PLUGC_CHECK(id.value < sources_.size(), "a source of this set");
-  return sources_[id.value].text;
+  return source(id).text;
 }
 
 std::string_view SourceSet::text(const Span& span) const {
@@ -35,7 +43,7 @@ std::string_view SourceSet::text(const Span& span) const {
   return whole.substr(begin, std::max(span.begin, span.end) - span.begin);
 }
 
-const std::vector<std::uint32_t>& SourceSet::line_starts(const Source& source) const {
+const std::vector<std::uint32_t>& SourceSet::line_starts(const Source& source) {
   if (source.line_starts.empty()) {
     source.line_starts.push_back(0);
     for (std::size_t at = source.text.find('\n'); at != std::string::npos; at = source.text.find('\n', at + 1)) {
@@ -45,26 +53,35 @@ const std::vector<std::uint32_t>& SourceSet::line_starts(const Source& source) c
   return source.line_starts;
 }
 
-Position SourceSet::position(SourceId id, std::uint32_t offset) const {
-  PLUGC_CHECK(id.value < sources_.size(), "a source of this set");
-  const Source& source = sources_[id.value];
-  offset = std::min(offset, static_cast<std::uint32_t>(source.text.size()));
-  const auto& starts = line_starts(source);
-  const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
-  const std::uint32_t line_start = *(next - 1);
-  std::uint32_t column = 1;
-  for (std::uint32_t i = line_start; i < offset; ++i) {
+/// Counts on from the last place that was asked for where that lies before this one in the same line.
+std::uint32_t SourceSet::column(const Source& source, std::uint32_t line_start, std::uint32_t offset) {
+  const bool goes_on = source.counted_to >= line_start && source.counted_to <= offset;
+  std::uint32_t column = goes_on ? source.counted_column : 1;
+  for (std::uint32_t i = goes_on ? source.counted_to : line_start; i < offset; ++i) {
     if ((static_cast<unsigned char>(source.text[i]) & 0xC0U) != 0x80U) ++column;
   }
-  return {static_cast<std::uint32_t>(next - starts.begin()), column};
+  source.counted_to = offset;
+  source.counted_column = column;
+  return column;
+}
+
+Position SourceSet::position(SourceId id, std::uint32_t offset) const {
+  const Source& in = source(id);
+  offset = std::min(offset, static_cast<std::uint32_t>(in.text.size()));
+  const auto& starts = line_starts(in);
+  const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
+  const auto line = static_cast<std::uint32_t>(next - starts.begin());
+  const std::uint32_t counted = column(in, *(next - 1), offset);
+  const bool behind_mark = line == 1 && offset > 0 && in.text.starts_with(kByteOrderMark);
+  return {line, behind_mark ? counted - 1 : counted};
 }
 
 std::string_view SourceSet::line_at(SourceId id, std::uint32_t offset) const {
   const std::string_view whole = text(id);
-  const std::size_t at = std::min<std::size_t>(offset, whole.size());
-  const std::size_t before = at == 0 ? std::string_view::npos : whole.rfind('\n', at - 1);
-  const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
-  std::size_t end = std::min(whole.find('\n', begin), whole.size());
+  const auto& starts = line_starts(source(id));
+  const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
+  const std::size_t begin = *(next - 1);
+  std::size_t end = next == starts.end() ? whole.size() : *next - 1;
   if (end > begin && whole[end - 1] == '\r') --end;
   return whole.substr(begin, end - begin);
 }
@@ -78,8 +95,8 @@ void MappedText::add_piece(const Piece& piece) {
     const Piece& last = pieces_.back();
     const bool runs_on = !last.fixed && !piece.fixed && last.source == piece.source &&
                          last.source_begin + (piece.text_begin - last.text_begin) == piece.source_begin;
-    const bool stays = last.fixed && piece.fixed && last.source == piece.source &&
-                       last.source_begin == piece.source_begin && last.source_end == piece.source_end;
+    const bool stays = last.fixed && piece.fixed && last.source == piece.source && last.source_begin == piece.source_begin &&
+                       last.source_end == piece.source_end;
     if (runs_on || stays) return;
   }
   pieces_.push_back(piece);
@@ -118,6 +135,7 @@ void MappedText::append(const MappedText& other, std::uint32_t begin, std::uint3
 
 Span MappedText::locate(std::uint32_t begin, std::uint32_t end) const {
   if (pieces_.empty()) return {};
+  begin = std::min(begin, size());
   for (std::size_t i = piece_at(std::min(begin, size() - 1)); i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
     if (piece.text_begin >= end && piece.text_begin > begin) break;

@@ -54,8 +54,12 @@ class SourceSet {
     std::string name;
     std::string text;
     mutable std::vector<std::uint32_t> line_starts;  // made on first use
+    mutable std::uint32_t counted_to = 0;            // the last byte whose column was asked for ...
+    mutable std::uint32_t counted_column = 1;        // ... and that column: one long line is not counted over and over
   };
-  const std::vector<std::uint32_t>& line_starts(const Source& source) const;
+  const Source& source(SourceId id) const;
+  static const std::vector<std::uint32_t>& line_starts(const Source& source);
+  static std::uint32_t column(const Source& source, std::uint32_t line_start, std::uint32_t offset);
   std::deque<Source> sources_;
 };
 

@@ -7,6 +7,7 @@
 // Spans of decoded text come from MappedText: `\"` in a classic string or `&lt;` in an attribute do not shift places.
 
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,14 +37,14 @@ struct Name {
 struct NodeSyntax;
 
 enum class ValueKind : std::uint8_t {
-  none,     ///< Nothing written (an interface field without a default).
-  numbers,  ///< `1 2 3`, `[ 1, 2 ]`, `TRUE` (as 1): in `numbers`.
-  booleans, ///< As numbers, but every one was TRUE or FALSE.
-  strings,  ///< `"a" "b"`: in `strings`.
-  nodes,    ///< Node statements, also `NULL` (an empty range): in `nodes`.
-  empty,    ///< `[ ]`: an empty list of whatever the field holds.
-  lexical,  ///< The one string in `strings` holds the value's text (an XML attribute).
-  is,       ///< `IS name`: the name is the one string in `strings`.
+  none,      ///< Nothing written (an interface field without a default).
+  numbers,   ///< `1 2 3`, `[ 1, 2 ]`, `TRUE` (as 1): in `numbers`.
+  booleans,  ///< As numbers, but every one was TRUE or FALSE.
+  strings,   ///< `"a" "b"`: in `strings`.
+  nodes,     ///< Node statements, also `NULL` (an empty range): in `nodes`.
+  empty,     ///< `[ ]`: an empty list of whatever the field holds.
+  lexical,   ///< The one string in `strings` holds the value's text (an XML attribute).
+  is,        ///< `IS name`: the name is the one string in `strings`.
 };
 
 struct ValueSyntax {
@@ -92,22 +93,22 @@ struct StatementSyntax {
 };
 
 struct NodeSyntax {
-  Name type;   ///< Empty for USE.
-  Name def;    ///< DEF name, or empty.
-  Name use;    ///< USE name, or empty.
-  Name container_field;           ///< XML only.
-  Span span;                      ///< From DEF (or the type) to the closing bracket.
-  Range<FieldSyntax> fields;      ///< In the order of the text; a name may stand twice.
+  Name type;                  ///< Empty for USE.
+  Name def;                   ///< DEF name, or empty.
+  Name use;                   ///< USE name, or empty.
+  Name container_field;       ///< XML only.
+  Span span;                  ///< From DEF (or the type) to the closing bracket.
+  Range<FieldSyntax> fields;  ///< In the order of the text; a name may stand twice.
   Range<InterfaceSyntax> interface;
   Range<StatementSyntax> statements;  ///< ROUTE and PROTO inside the body.
-  Range<MappedText> cdata;        ///< XML: the CDATA sections and non-blank text directly inside, in order.
+  Range<MappedText> cdata;            ///< XML: the CDATA sections and non-blank text directly inside, in order.
 };
 
 struct ProtoSyntax {
   Name name;
   Range<InterfaceSyntax> interface;
-  Range<StatementSyntax> body;    ///< Empty for an EXTERNPROTO.
-  Range<MappedText> urls;         ///< EXTERNPROTO only.
+  Range<StatementSyntax> body;  ///< Empty for an EXTERNPROTO.
+  Range<MappedText> urls;       ///< EXTERNPROTO only.
   Span span;
 };
 
@@ -127,11 +128,16 @@ struct Document {
   std::vector<ImportSyntax> imports;  ///< IMPORT and EXPORT.
   std::vector<double> numbers;
   std::vector<MappedText> strings;
+  std::deque<std::string> decoded_names;  ///< Names that held an entity; they never move.
 
   std::span<const NodeSyntax> of(Range<NodeSyntax> range) const { return {nodes.data() + range.first, range.count}; }
   std::span<const FieldSyntax> of(Range<FieldSyntax> range) const { return {fields.data() + range.first, range.count}; }
-  std::span<const InterfaceSyntax> of(Range<InterfaceSyntax> range) const { return {interfaces.data() + range.first, range.count}; }
-  std::span<const StatementSyntax> of(Range<StatementSyntax> range) const { return {statement_pool.data() + range.first, range.count}; }
+  std::span<const InterfaceSyntax> of(Range<InterfaceSyntax> range) const {
+    return {interfaces.data() + range.first, range.count};
+  }
+  std::span<const StatementSyntax> of(Range<StatementSyntax> range) const {
+    return {statement_pool.data() + range.first, range.count};
+  }
   std::span<const double> of(Range<double> range) const { return {numbers.data() + range.first, range.count}; }
   std::span<const MappedText> of(Range<MappedText> range) const { return {strings.data() + range.first, range.count}; }
 };

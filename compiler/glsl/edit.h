@@ -9,11 +9,12 @@
 namespace plugc {
 
 /// Bytes [begin, end) become `replacement`; begin == end inserts. Replacement bytes keep the place of what they replace,
-/// or have none when they are inserted.
+/// or have none when they are inserted, unless `origin` says where they count as coming from.
 struct Edit {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
   std::string replacement;
+  Span origin = {};
 };
 
 /// Edits must not overlap; they are sorted here (stable, so insertions at one place keep their order).

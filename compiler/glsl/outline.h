@@ -54,8 +54,10 @@ struct GlobalOutline {
 
 /// `struct Name {...};` A block (`uniform Name {...} instance;`) is kept as a struct with storage.
 struct StructOutline {
-  std::string_view name;
+  std::string_view name;                  ///< Empty for an anonymous struct.
   std::uint32_t name_begin = 0;
+  std::string_view instance;              ///< A block's instance name, or empty.
+  std::uint32_t instance_begin = 0;
   Storage storage = Storage::none;
   std::uint32_t begin = 0, end = 0;       ///< `struct` to behind `}` (and behind `;` where nothing is declared with it).
 };
@@ -107,6 +109,9 @@ struct Outline {
   std::vector<MarkerOutline> markers;
   std::vector<OutlineProblem> problems;   ///< In order; the outline goes on behind each.
 };
+
+/// The parameters of a signature that stands alone: `inout vec4 color, const in vec3 normal`. Offsets into `text`.
+std::vector<Parameter> parse_parameters(std::string_view text);
 
 /// `varying_storage` is what `varying` means in this stage.
 Outline outline(std::string_view text, const TokenList& tokens, Storage varying_storage);

@@ -1,6 +1,7 @@
 #pragma once
 // The words that every room behind glsl shares: shader stages and output dialects.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>

@@ -40,6 +40,9 @@ struct TokenList {
 
 TokenList tokenize(std::string_view text, std::span<const MacroDefinition> predefined);
 
+/// The tokens inside one directive: `#`, its name, then the rest, comments left out.
+std::vector<Token> directive_tokens(std::string_view text, const Token& directive);
+
 inline std::string_view token_text(std::string_view text, const Token& token) {
   return text.substr(token.begin, token.end - token.begin);
 }

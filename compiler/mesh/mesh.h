@@ -16,14 +16,14 @@ enum class Topology : std::uint8_t { triangles, lines, points };
 
 struct Mesh {
   Topology topology = Topology::triangles;
-  std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;                    ///< Unit length; empty for lines and points without normals.
-  std::vector<std::vector<glm::vec4>> tex_coords;    ///< Per unit (s, t, r, q), as many as the node has or at least one default.
-  std::vector<glm::vec4> colors;                     ///< Linear RGBA; empty without a Color node.
+  std::vector<glm::vec3> positions;                  ///< All count for the bounds, also those that no index names (Text).
+  std::vector<glm::vec3> normals;                  ///< Unit length; empty for lines and points without normals.
+  std::vector<std::vector<glm::vec4>> tex_coords;  ///< Per unit (s, t, r, q), as many as the node has or at least one default.
+  std::vector<glm::vec4> colors;                   ///< Linear RGBA; empty without a Color node.
   bool colors_have_alpha = false;
-  std::vector<std::uint32_t> indices;                ///< Counter-clockwise triangles seen from the front.
-  bool solid = true;                                 ///< Back faces need not be drawn.
-  bool ccw = true;                                   ///< False: front faces are clockwise in `indices` (already as written).
+  std::vector<std::uint32_t> indices;  ///< Counter-clockwise triangles seen from the front.
+  bool solid = true;                   ///< Back faces need not be drawn.
+  bool ccw = true;                     ///< False: front faces are clockwise in `indices` (already as written).
 };
 
 /// The triangles of one geometry node; nullopt (with a diagnostic) where it has nothing to draw.

@@ -53,14 +53,14 @@ struct WrittenField {
 
 /// One node. A node that USE names again is the same GraphNode: one set of field values, many places.
 struct GraphNode {
-  const NodeInfo* info = nullptr;      ///< Never null: unknown nodes do not enter the graph.
+  const NodeInfo* info = nullptr;  ///< Never null: unknown nodes do not enter the graph.
   std::string_view def;
-  Span span;                           ///< In the file that wrote it (an Inline's or a PROTO body's too).
+  Span span;  ///< In the file that wrote it (an Inline's or a PROTO body's too).
   Span type_span;
-  std::vector<WrittenField> fields;    ///< Only those written; at most one of a name.
+  std::vector<WrittenField> fields;  ///< Only those written; at most one of a name.
   std::vector<InterfaceField> interface;
-  std::vector<MappedText> cdata;       ///< XML: text directly inside (shader code).
-  std::uint32_t document = 0;          ///< Index of the file that its urls are relative to.
+  std::vector<MappedText> cdata;  ///< XML: text directly inside (shader code).
+  std::uint32_t document = 0;     ///< Index of the file that its urls are relative to.
 };
 
 struct GraphRoute {
@@ -69,9 +69,16 @@ struct GraphRoute {
   Span span;
 };
 
-/// The graph of one scene with all that it includes. Owns its documents and values.
+/// The graph of one scene with all that it includes. Owns its documents and values, which its nodes point into: it moves,
+/// but has no copy. No node contains itself, and no path through it is longer than kMaxSceneDepth.
+/// The nodes of a file that an Inline loaded are the Inline's `children`. A prototype's instance is the first node of its
+/// body; the other nodes of the body are in the graph (their routes work) but in no list.
 class NodeGraph {
  public:
+  NodeGraph() = default;
+  NodeGraph(NodeGraph&&) = default;
+  NodeGraph& operator=(NodeGraph&&) = default;
+
   std::span<const NodeId> roots() const { return roots_; }
   std::span<const GraphRoute> routes() const { return routes_; }
   std::size_t size() const { return nodes_.size(); }
@@ -89,20 +96,21 @@ class NodeGraph {
   double number(NodeId id, std::string_view name) const;
   int integer(NodeId id, std::string_view name) const;
   glm::dvec2 vec2(NodeId id, std::string_view name) const;
-  glm::dvec3 vec3(NodeId id, std::string_view name) const;   ///< Colours too.
-  glm::dvec4 vec4(NodeId id, std::string_view name) const;   ///< Rotations too.
+  glm::dvec3 vec3(NodeId id, std::string_view name) const;  ///< Colours too.
+  glm::dvec4 vec4(NodeId id, std::string_view name) const;  ///< Rotations too.
   std::string_view string(NodeId id, std::string_view name) const;
-  NodeId child(NodeId id, std::string_view name) const;      ///< SFNode, or NULL.
+  NodeId child(NodeId id, std::string_view name) const;  ///< SFNode, or NULL.
   std::span<const NodeId> children(NodeId id, std::string_view name) const;
 
  private:
   friend class GraphBuilder;
+  const WrittenField* find_written(NodeId id, std::string_view name) const;
   std::vector<GraphNode> nodes_;
   std::vector<NodeId> roots_;
   std::vector<GraphRoute> routes_;
   std::deque<Document> documents_;
   std::vector<std::filesystem::path> document_paths_;
-  std::deque<std::vector<double>> numbers_;          // values that no document holds: XML attributes, defaults
+  std::deque<std::vector<double>> numbers_;  // values that no document holds: XML attributes, defaults
   std::deque<std::vector<MappedText>> strings_;
   std::deque<std::vector<NodeId>> node_lists_;
 };

@@ -29,9 +29,9 @@ struct ProgramText {
 
 /// Type of a uniform or attribute, spelled as GLSL does (`vec3`, `sampler2DShadow`).
 struct ReflectedVariable {
-  std::string name;          ///< Without `[0]`.
+  std::string name;  ///< Without `[0]`.
   std::string type;
-  std::uint32_t count = 1;   ///< Array size.
+  std::uint32_t count = 1;  ///< Array size.
 };
 
 /// A program that glslang has accepted. Cannot be made elsewhere.
@@ -39,9 +39,9 @@ class ValidatedProgram {
  public:
   Target target() const { return target_; }
   const std::vector<StageText>& stages() const { return stages_; }
-  const std::vector<std::vector<std::uint32_t>>& spirv() const { return spirv_; }  ///< Per stage; for Target::spirv only.
-  const std::vector<ReflectedVariable>& uniforms() const { return uniforms_; }     ///< Active ones, in name order.
-  const std::vector<ReflectedVariable>& attributes() const { return attributes_; } ///< Active vertex inputs, in name order.
+  const std::vector<std::vector<std::uint32_t>>& spirv() const { return spirv_; }   ///< Per stage; for Target::spirv only.
+  const std::vector<ReflectedVariable>& uniforms() const { return uniforms_; }      ///< Active ones, in name order.
+  const std::vector<ReflectedVariable>& attributes() const { return attributes_; }  ///< Active vertex inputs, in name order.
 
  private:
   friend class Validator;
@@ -56,11 +56,11 @@ class ValidatedProgram {
 /// What glslang said of one place.
 struct ShaderMessage {
   ShaderStage stage = ShaderStage::vertex;
-  std::uint32_t line = 0;     ///< Of the composed text, from 1; 0 for the linker.
-  std::uint32_t begin = 0;    ///< The token meant, as bytes of the composed text (the whole line where none is named).
+  std::uint32_t line = 0;   ///< Of the composed text, from 1; 0 for the linker's.
+  std::uint32_t begin = 0;  ///< The token meant, as bytes of the composed text (else the line, trimmed; empty when unknown).
   std::uint32_t end = 0;
-  Span span;                  ///< The author's place, through the text's map; not valid in generated text.
-  std::string text;           ///< In glslang's words, without its place.
+  Span span;         ///< The author's place, through the text's map; not valid in generated text.
+  std::string text;  ///< In glslang's words, without its place.
 };
 
 struct ValidationResult {
@@ -70,11 +70,13 @@ struct ValidationResult {
 };
 
 struct ValidatorOptions {
-  std::filesystem::path cache_folder;       ///< Verdicts by content hash; empty: no cache.
-  std::chrono::milliseconds timeout{5000};  ///< For one program.
+  std::filesystem::path cache_folder;                 ///< Verdicts by content hash; empty: no cache.
+  std::chrono::milliseconds timeout{5000};            ///< For one program.
+  std::vector<Target> warm_targets{Target::glsl330};  ///< What the worker prepares for unasked (25 ms each).
 };
 
-/// Owns the worker. Make it before any thread is started: it forks.
+/// Owns the worker. Make it before any thread is started: it forks. Threads may start afterwards, even if a worker has to
+/// be replaced then; but only one at a time may call validate().
 class Validator {
  public:
   explicit Validator(ValidatorOptions options);

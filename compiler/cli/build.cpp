@@ -1,0 +1,101 @@
+// plugc build: scenes in, one package out.
+
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+
+namespace plugc {
+namespace {
+
+struct BuildOptions {
+  CommonOptions common;
+  std::vector<std::string> scenes;
+  std::string output;
+  std::string depfile;
+};
+
+bool write_file(const std::string& path, const void* data, std::size_t size) {
+  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+  stream.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+  stream.flush();
+  if (!stream) fmt::print(stderr, "plugc: cannot write `{}`\n", path);
+  return static_cast<bool>(stream);
+}
+
+/// Blanks and dollars as make wants them.
+std::string make_escaped(std::string_view path) {
+  std::string escaped;
+  for (const char c : path) {
+    if (c == ' ' || c == '#') escaped += '\\';
+    if (c == '$') escaped += '$';
+    escaped += c;
+  }
+  return escaped;
+}
+
+/// `out: scene effect.frag ...` for make and ninja.
+std::string depfile_text(const BuildOptions& options, const PackageT& package) {
+  std::string text = make_escaped(options.output) + ":";
+  for (const std::string& scene : options.scenes) text += " " + make_escaped(scene);
+  for (const std::string& source : package.sources) {
+    const bool known = std::find(options.scenes.begin(), options.scenes.end(), source) != options.scenes.end();
+    if (!known && !source.starts_with("plugc:")) text += " " + make_escaped(source);
+  }
+  return text + "\n";
+}
+
+void print_summary(const Compilation& made, const BuildOptions& options, std::size_t bytes) {
+  std::size_t filled = 0;
+  for (const auto& program : made.package.programs) filled += program->plugs_filled.size();
+  std::size_t shapes = 0;
+  for (const auto& scene : made.package.scenes) shapes += scene->shapes.size();
+  const CompileStatistics& s = made.statistics;
+  fmt::print("{}: {} programs for {} shapes, {} plugs filled, {} bytes\n", options.output, made.package.programs.size(), shapes,
+             filled, bytes);
+  for (const auto& program : made.package.programs) {
+    fmt::print("  {}\n", program->recipe);
+    for (const std::string& plug : program->plugs_filled) fmt::print("    fills {}\n", plug);
+  }
+  fmt::print("read {:.1f} ms, prepare {:.1f} ms, compose {:.2f} ms ({} programs), validate {:.1f} ms, assemble {:.1f} ms\n", s.read,
+             s.prepare, s.compose, s.compositions, s.validate, s.assemble);
+}
+
+int build(const BuildOptions& options) {
+  Validator validator = make_validator(options.common);
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  const std::vector<std::filesystem::path> scenes(options.scenes.begin(), options.scenes.end());
+  const Compilation made = compile(scenes, compile_options(options.common), validator, sources, diagnostics);
+  const int status = report(diagnostics);
+  const std::vector<std::uint8_t> bytes = write_package(made.package);
+  if (!write_file(options.output, bytes.data(), bytes.size())) return kBrokenUse;
+  if (!options.depfile.empty()) {
+    const std::string text = depfile_text(options, made.package);
+    if (!write_file(options.depfile, text.data(), text.size())) return kBrokenUse;
+  }
+  print_summary(made, options, bytes.size());
+  return status;
+}
+
+}  // namespace
+
+void add_build_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<BuildOptions>();
+  CLI::App* verb = app.add_subcommand("build", "Compile scenes into a package that the runtime draws");
+  verb->add_option("SCENE", options->scenes, "X3D scenes (.x3dv, .x3d, .wrl)")->required()->check(CLI::ExistingFile);
+  verb->add_option("-o,--output", options->output, "The package to write (.plugpack)")->required();
+  verb->add_option("--target", options->common.targets, "Dialects to compile for: glsl330, essl300, spirv")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
+  verb->add_option("--depfile", options->depfile, "Also write what the package depends on, for make and ninja");
+  add_common_options(*verb, options->common);
+  verb->footer("Programs that are equal are stored once. An effect that does not compile is left out alone, with a message;\n"
+               "the package then holds the rest and the exit status is 1.\n\n"
+               "Example: plugc build scene.x3dv -o scene.plugpack --target glsl330,essl300");
+  verb->callback([options, &status] { status = build(*options); });
+}
+
+}  // namespace plugc

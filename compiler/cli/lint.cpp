@@ -1,0 +1,83 @@
+// plugc lint: every effect of the files given, also those that are disabled or in branches that are not drawn.
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/message_formats.h"
+
+namespace plugc {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct LintOptions {
+  CommonOptions common;
+  std::vector<std::string> paths;
+  std::string format = "text";
+};
+
+bool is_scene_file(const fs::path& path) {
+  constexpr std::string_view kEndings[] = {".x3dv", ".x3d", ".wrl"};
+  return std::find(std::begin(kEndings), std::end(kEndings), path.extension().string()) != std::end(kEndings);
+}
+
+/// Files as given; folders are searched for scenes, in name order.
+std::vector<fs::path> scene_files(const std::vector<std::string>& paths) {
+  std::vector<fs::path> files;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      files.emplace_back(path);
+      continue;
+    }
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied, error)) {
+      if (entry.is_regular_file(error) && is_scene_file(entry.path())) found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+int lint(const LintOptions& options) {
+  Validator validator = make_validator(options.common);
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  CompileOptions compile_with = compile_options(options.common);
+  compile_with.for_lint = true;
+  compile_with.stage = "teapot";
+  const std::vector<fs::path> files = scene_files(options.paths);
+  for (const fs::path& file : files) compile({file}, compile_with, validator, sources, diagnostics);
+  if (options.format == "text") {
+    const int status = report(diagnostics);
+    fmt::print("{} files, {} errors, {} warnings, {} notes\n", files.size(), diagnostics.count(Severity::error),
+               diagnostics.count(Severity::warning), diagnostics.count(Severity::note));
+    return status;
+  }
+  fmt::print("{}", formatted_messages(diagnostics, options.format));
+  return diagnostics.has_errors() ? kInputErrors : kFine;
+}
+
+}  // namespace
+
+void add_lint_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<LintOptions>();
+  CLI::App* verb = app.add_subcommand("lint", "Check the effects of scenes without drawing anything");
+  verb->add_option("PATH", options->paths, "X3D scenes, or folders to search for them")->required()->check(CLI::ExistingPath);
+  verb->add_option("--format", options->format, "How to print messages: text (stderr), json, sarif or github (stdout)")
+      ->check(CLI::IsMember({"text", "json", "sarif", "github"}))
+      ->capture_default_str();
+  verb->add_option("--target", options->common.targets, "Dialects to check for: glsl330, essl300, spirv")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
+  add_common_options(*verb, options->common);
+  verb->footer("Each message names the author's file, line and column, and a stable code in brackets.\n\n"
+               "Example: plugc lint --format github effects/");
+  verb->callback([options, &status] { status = lint(*options); });
+}
+
+}  // namespace plugc

@@ -1,0 +1,149 @@
+// plugc preview: a scene or a package as a picture. The context is made in a second thread while the first one compiles.
+
+#include <charconv>
+#include <future>
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "image/write_png.h"
+#include "runtime/render.h"
+
+namespace plugc {
+namespace {
+
+struct PreviewOptions {
+  CommonOptions common;
+  std::string input;
+  std::string output;
+  std::string size = "1280x720";
+  std::string viewpoint;
+  std::string stage = "teapot";
+  bool no_shadows = false;
+  bool statistics = false;
+};
+
+/// `800x450`; false when it is none or out of range.
+bool read_size(const std::string& text, FrameOptions& frame) {
+  constexpr std::uint32_t kMaxSide = 8192;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, frame.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return false;
+  const auto height = std::from_chars(width.ptr + 1, end, frame.height);
+  return height.ec == std::errc() && height.ptr == end && frame.width >= 1 && frame.height >= 1 && frame.width <= kMaxSide &&
+         frame.height <= kMaxSide;
+}
+
+RendererOptions renderer_options(const PreviewOptions& options) {
+  RendererOptions renderer;
+  renderer.single_picture = true;
+  if (!options.common.no_cache) renderer.cache_folder = cache_folder("mesa").string();
+  return renderer;
+}
+
+/// What the drawing thread leaves behind.
+struct Drawn {
+  std::string error;
+  Picture picture;
+  FrameStatistics statistics;
+  std::vector<std::string> messages;
+};
+
+/// Makes the context at once, then waits for the package. All GL of a renderer happens in one thread.
+Drawn draw(const RendererOptions& options, const FrameOptions& frame, std::future<const Package*> package) {
+  Drawn drawn;
+  const std::unique_ptr<Renderer> renderer = Renderer::make(options, drawn.error);
+  const Package* loaded = package.get();
+  if (renderer == nullptr || loaded == nullptr) return drawn;
+  if (!renderer->load(*loaded, 0, drawn.error)) return drawn;
+  drawn.picture = renderer->draw(frame);
+  drawn.statistics = renderer->statistics();
+  drawn.messages = renderer->messages();
+  return drawn;
+}
+
+bool is_package_file(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string magic(8, '\0');
+  return stream.read(magic.data(), 8) && magic == "PLUGPACK";
+}
+
+/// The package's bytes, read or compiled; `status` says how it went.
+std::vector<std::uint8_t> package_bytes(const PreviewOptions& options, Validator* validator, int& status) {
+  if (validator == nullptr) {
+    std::ifstream stream(options.input, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  CompileOptions compile_with = compile_options(options.common);
+  compile_with.stage = options.stage;
+  const Compilation made = compile({options.input}, compile_with, *validator, sources, diagnostics);
+  status = report(diagnostics);
+  return write_package(made.package);
+}
+
+int preview(const PreviewOptions& options) {
+  FrameOptions frame;
+  if (!read_size(options.size, frame)) {
+    fmt::print(stderr, "plugc: `--size {}` is no size; write WIDTHxHEIGHT, e.g. 800x450\n", options.size);
+    return kBrokenUse;
+  }
+  frame.viewpoint = options.viewpoint;
+  frame.shadows = !options.no_shadows;
+  const bool packed = is_package_file(options.input);
+  std::unique_ptr<Validator> validator;  // forks, so it is made before the drawing thread starts
+  if (!packed) validator = std::make_unique<Validator>(make_validator(options.common));
+
+  std::promise<const Package*> package;
+  auto drawing = std::async(std::launch::async, draw, renderer_options(options), frame, package.get_future());
+  int status = kFine;
+  const std::vector<std::uint8_t> bytes = package_bytes(options, validator.get(), status);
+  const PackageView view = open_package(bytes);
+  package.set_value(view.package);
+  const Drawn drawn = drawing.get();
+
+  for (const std::string& message : drawn.messages) fmt::print(stderr, "{}\n", message);
+  const std::string& error = view.package == nullptr ? view.error : drawn.error;
+  if (!error.empty()) {
+    fmt::print(stderr, "plugc: {}: {}\n", options.input, error);
+    return packed && view.package == nullptr ? kInputErrors : kBrokenUse;
+  }
+  if (!write_png(options.output, drawn.picture.width, drawn.picture.height, drawn.picture.pixels, false)) {
+    fmt::print(stderr, "plugc: cannot write `{}`\n", options.output);
+    return kBrokenUse;
+  }
+  if (options.statistics) {
+    fmt::print("{} draw calls, {} programs, {} shadow passes with {} draw calls\n", drawn.statistics.draw_calls,
+               drawn.statistics.programs_used, drawn.statistics.shadow_passes, drawn.statistics.shadow_draw_calls);
+  }
+  return status;
+}
+
+}  // namespace
+
+void add_preview_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<PreviewOptions>();
+  CLI::App* verb = app.add_subcommand("preview", "Draw a scene or a package into a PNG picture");
+  verb->add_option("SCENE|PACKAGE", options->input, "An X3D scene, or a package that `plugc build` wrote")
+      ->required()
+      ->check(CLI::ExistingFile);
+  verb->add_option("-o,--output", options->output, "The picture to write (.png)")->required();
+  verb->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+  verb->add_option("--viewpoint", options->viewpoint,
+                   "DEF name of a Viewpoint, or its number from 0 (default: the first; without any, a view of the whole scene)");
+  verb->add_option("--on", options->stage, "What to try effects on when the file has no shapes: teapot, sphere, box, plane")
+      ->check(CLI::IsMember({"teapot", "sphere", "box", "plane"}))
+      ->capture_default_str();
+  verb->add_flag("--no-shadows", options->no_shadows, "Draw everything lit, to see what shadows do");
+  verb->add_flag("--statistics", options->statistics, "Print draw calls, programs and shadow passes");
+  add_common_options(*verb, options->common);
+  verb->footer("Draws on the CPU (OSMesa); no display is needed.\n\n"
+               "Example: plugc preview scene.x3dv -o picture.png --size 800x450");
+  verb->callback([options, &status] { status = preview(*options); });
+}
+
+}  // namespace plugc

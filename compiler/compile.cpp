@@ -1,0 +1,123 @@
+// THE PIPELINE, one call a phase. Each phase is a function from plain data to plain data; what is wrong is in `diagnostics`.
+
+#include "compile.h"
+
+#include <chrono>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "document/read_document.h"
+#include "lint/lint.h"
+#include "prepare_scene.h"
+#include "scene/node_graph.h"
+#include "scene/stage.h"
+
+namespace plugc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time of its life to a sum, in milliseconds.
+class PhaseTimer {
+ public:
+  explicit PhaseTimer(double& sum) : sum_(sum) {}
+  ~PhaseTimer() { sum_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+  PhaseTimer(const PhaseTimer&) = delete;
+  PhaseTimer& operator=(const PhaseTimer&) = delete;
+
+ private:
+  double& sum_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The scene file as a document; with `stage`, the stage's statements stand behind the author's.
+std::optional<SourceId> read_scene_file(const std::filesystem::path& path, FileAccess& files, std::string_view stage, SourceSet& sources,
+                                        Diagnostics& diagnostics) {
+  FileContent content = files.read(path);
+  if (content.status != FileStatus::ok) {
+    diagnostics.report(DiagnosticId::file_unreadable, {}, fmt::format("cannot read `{}`", path.string()));
+    return std::nullopt;
+  }
+  std::string& text = content.bytes;
+  const std::size_t scene_end = text.rfind("</Scene>");
+  if (!stage.empty() && scene_end != std::string::npos) text.insert(scene_end, stage_elements(stage));
+  if (!stage.empty() && scene_end == std::string::npos) text += stage_statements(stage);
+  return sources.add(path.string(), std::move(text));
+}
+
+/// A graph with the scene that it means.
+struct LoadedScene {
+  NodeGraph graph;
+  Scene scene;
+};
+
+LoadedScene load_scene(const std::filesystem::path& path, std::string_view stage, const CompileOptions& options, FileAccess& files,
+                       SourceSet& sources, Diagnostics& diagnostics) {
+  LoadedScene loaded;
+  const auto source = read_scene_file(path, files, stage, sources, diagnostics);
+  if (!source) return loaded;
+  Document document = read_document(*source, sources, diagnostics);
+  // from here everything that was written has a place
+  loaded.graph = build_graph(std::move(document), path, sources, files, diagnostics);
+  // from here every USE is resolved, every prototype expanded, every Inline loaded, every value typed
+  loaded.scene = build_scene(loaded.graph, sources, files, {options.for_lint}, diagnostics);
+  loaded.scene.name = path.filename().string();
+  // from here shapes know their lights, textures, effects and shadow maps
+  const bool needs_stage = loaded.scene.shapes.empty() && !loaded.scene.effects.empty() && stage.empty() && !options.stage.empty();
+  return needs_stage ? load_scene(path, options.stage, options, files, sources, diagnostics) : std::move(loaded);
+}
+
+SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions& options, Validator& validator, SourceSet& sources,
+                         Diagnostics& diagnostics, CompileStatistics& statistics) {
+  DiskFiles files(options.root.empty() ? default_root(path) : options.root);
+  auto timer = std::make_unique<PhaseTimer>(statistics.read);
+  LoadedScene loaded = load_scene(path, "", options, files, sources, diagnostics);
+  timer = std::make_unique<PhaseTimer>(statistics.prepare);
+  PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
+  // from here geometry is triangles, images are pixels, effects are outlined, and every shape has its recipe
+  timer.reset();
+  TemplateLibrary templates(sources);
+  ValidationStatistics validation;
+  const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
+  prepared.parts.programs = validate_recipes(prepared.recipes, input, options.targets, validator, diagnostics, validation);
+  // from here no PLUG marker remains, and every program is valid
+  statistics.compose += validation.compose_milliseconds;
+  statistics.validate += validation.validate_milliseconds;
+  statistics.compositions += validation.compositions;
+  statistics.rechecks += validation.rechecks;
+  if (options.for_lint) lint_scene(prepared.parts.scene, prepared.effects, diagnostics);
+  return std::move(prepared.parts);
+}
+
+}  // namespace
+
+Compilation compile(const std::vector<std::filesystem::path>& scenes, const CompileOptions& options, Validator& validator,
+                    SourceSet& sources, Diagnostics& diagnostics) {
+  Compilation compilation;
+  std::vector<SceneParts> parts;
+  for (const std::filesystem::path& path : scenes) {
+    parts.push_back(compile_scene(path, options, validator, sources, diagnostics, compilation.statistics));
+  }
+  const PhaseTimer timer(compilation.statistics.assemble);
+  compilation.package = assemble_package(std::move(parts), sources, fmt::format("plugc {}", PLUGC_VERSION));
+  return compilation;
+}
+
+std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options, SourceSet& sources,
+                       Diagnostics& diagnostics) {
+  DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
+  if (stage == "document") {
+    const auto source = read_scene_file(scene, files, "", sources, diagnostics);
+    return source ? dump_document(read_document(*source, sources, diagnostics), sources) : "";
+  }
+  LoadedScene loaded = load_scene(scene, "", options, files, sources, diagnostics);
+  if (stage == "scene") return dump_graph(loaded.graph, sources) + dump_scene(loaded.scene);
+  std::string text;
+  if (stage != "recipes") return text;
+  const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
+  for (std::size_t i = 0; i < prepared.recipes.size(); ++i) text += fmt::format("{} {}\n", i, prepared.parts.program_names[i]);
+  return text;
+}
+
+}  // namespace plugc

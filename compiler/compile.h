@@ -1,0 +1,52 @@
+#pragma once
+// The public API of libplugc: X3D scenes in, a package out.
+//
+//     plugc::SourceSet sources;
+//     plugc::Diagnostics diagnostics(sources);
+//     plugc::Validator validator({});                       // before any thread is started
+//     plugc::Compilation made = plugc::compile({"scene.x3dv"}, {}, validator, sources, diagnostics);
+//     auto bytes = plugc::write_package(made.package);      // diagnostics.all() says what was wrong
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "package/assemble_package.h"
+#include "validate/validate.h"
+
+namespace plugc {
+
+struct CompileOptions {
+  std::vector<Target> targets = {Target::glsl330};
+  std::filesystem::path root;      ///< Folder that scenes may read; empty: default_root() of each.
+  bool for_lint = false;           ///< Every effect, also in branches that are not drawn.
+  /// What a file with effects but no shapes is tried on: teapot, sphere, box, plane; empty: nothing is put under it.
+  std::string stage;
+};
+
+/// Where the time went, in milliseconds, and how much was made.
+struct CompileStatistics {
+  double read = 0;       ///< Documents and scene.
+  double prepare = 0;    ///< Meshes, images, effect code.
+  double compose = 0;
+  double validate = 0;
+  double assemble = 0;
+  std::size_t compositions = 0;
+  std::size_t rechecks = 0;
+};
+
+struct Compilation {
+  PackageT package;
+  CompileStatistics statistics;
+};
+
+/// Compiles scene files into one package. Mistakes are reported; what could be made is in the package.
+Compilation compile(const std::vector<std::filesystem::path>& scenes, const CompileOptions& options, Validator& validator,
+                    SourceSet& sources, Diagnostics& diagnostics);
+
+/// What an early phase made of a scene, as text: `document`, `scene` or `recipes`; "" for another name.
+std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options, SourceSet& sources,
+                       Diagnostics& diagnostics);
+
+}  // namespace plugc

@@ -1,0 +1,91 @@
+// Each uniform that an effect's parts declare is looked up among its fields, and the other way round.
+
+#include "compose/check_fields.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "compose/castle_names.h"
+
+namespace plugc {
+namespace {
+
+struct DeclaredUniform {
+  std::string_view type;
+  Span span;
+  bool initialized = false;
+};
+
+using Uniforms = std::map<std::string_view, DeclaredUniform>;
+
+void collect(const CodeUnit* unit, Uniforms& uniforms) {
+  if (unit == nullptr) return;
+  for (const GlobalOutline& global : unit->outline.globals) {
+    if (global.storage != Storage::uniform || global.name.starts_with("castle_")) continue;
+    const Span span = unit->span(global.name_begin, global.name_begin + static_cast<std::uint32_t>(global.name.size()));
+    uniforms.try_emplace(unit->written_name(global.name), DeclaredUniform{global.type, span, global.initializer_end > global.initializer_begin});
+  }
+}
+
+const ShaderField* find_field(const SceneEffect& effect, std::string_view name) {
+  const auto found = std::find_if(effect.fields.begin(), effect.fields.end(), [&](const ShaderField& field) { return field.name == name; });
+  return found == effect.fields.end() ? nullptr : &*found;
+}
+
+std::string missing_field_message(std::string_view name, const DeclaredUniform& uniform, const SceneEffect& effect) {
+  std::vector<std::string_view> names;
+  for (const ShaderField& field : effect.fields) names.push_back(field.name);
+  return fmt::format("no field `{}` of `{}` feeds this `uniform {}`{}", name, effect.label, uniform.type, did_you_mean(name, names));
+}
+
+}  // namespace
+
+std::string_view uniform_type(FieldType type) {
+  switch (type) {
+    case FieldType::SFBool: case FieldType::MFBool: return "bool";
+    case FieldType::SFInt32: case FieldType::MFInt32: return "int";
+    case FieldType::SFFloat: case FieldType::MFFloat: case FieldType::SFDouble: case FieldType::MFDouble:
+    case FieldType::SFTime: case FieldType::MFTime: return "float";
+    case FieldType::SFVec2f: case FieldType::MFVec2f: case FieldType::SFVec2d: case FieldType::MFVec2d: return "vec2";
+    case FieldType::SFVec3f: case FieldType::MFVec3f: case FieldType::SFVec3d: case FieldType::MFVec3d:
+    case FieldType::SFColor: case FieldType::MFColor: return "vec3";
+    case FieldType::SFVec4f: case FieldType::MFVec4f: case FieldType::SFVec4d: case FieldType::MFVec4d:
+    case FieldType::SFColorRGBA: case FieldType::MFColorRGBA: case FieldType::SFRotation: case FieldType::MFRotation: return "vec4";
+    case FieldType::SFMatrix3f: case FieldType::MFMatrix3f: case FieldType::SFMatrix3d: case FieldType::MFMatrix3d: return "mat3";
+    case FieldType::SFMatrix4f: case FieldType::MFMatrix4f: case FieldType::SFMatrix4d: case FieldType::MFMatrix4d: return "mat4";
+    case FieldType::SFNode: case FieldType::MFNode: return "sampler2D";
+    default: return "";
+  }
+}
+
+bool feeds(const ShaderField& field, std::string_view glsl_type) { return uniform_type(field.type) == glsl_type; }
+
+void check_fields(const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics) {
+  Uniforms uniforms;
+  for (const EffectCode::Part& part : code.parts) {
+    collect(part.in_vertex.get(), uniforms);
+    collect(part.in_fragment.get(), uniforms);
+    collect(part.in_geometry.get(), uniforms);
+  }
+  for (const auto& [name, uniform] : uniforms) {
+    const ShaderField* field = find_field(effect, name);
+    if (field == nullptr) {
+      if (effect.warn_missing_uniforms && !uniform.initialized) {
+        diagnostics.report(DiagnosticId::uniform_without_field, uniform.span, missing_field_message(name, uniform, effect));
+      }
+    } else if (!feeds(*field, uniform.type)) {
+      diagnostics.report(DiagnosticId::uniform_type, field->span,
+                         fmt::format("field `{}` is `{}`, but its uniform is `{}`", name, to_text(field->type), uniform.type),
+                         {{uniform.span, "the uniform is declared here"}});
+    }
+  }
+  for (const ShaderField& field : effect.fields) {
+    if (uniforms.contains(field.name) || code.parts.empty()) continue;
+    diagnostics.report(DiagnosticId::field_without_uniform, field.span,
+                       fmt::format("no part of `{}` declares a uniform `{}`", effect.label, field.name));
+  }
+}
+
+}  // namespace plugc

@@ -1,0 +1,58 @@
+#pragma once
+// One piece of shader code on its way into a stage: upgraded, cut into tokens, outlined. Made once for each effect part
+// and for each form of a template; composing only reads it.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "glsl/dialect.h"
+#include "glsl/outline.h"
+#include "glsl/stage.h"
+#include "scene/scene.h"
+
+namespace plugc {
+
+struct CodeUnit {
+  MappedText text;
+  std::vector<std::string> castle_names;  ///< castle_ names that the text uses, declared or not.
+  std::vector<RenamedName> renamed_names; ///< Names that upgrading had to change.
+  TokenList tokens;
+  Outline outline;                        ///< Points into `text`, so a unit is never moved once made.
+
+  CodeUnit() = default;
+  CodeUnit(const CodeUnit&) = delete;
+  CodeUnit& operator=(const CodeUnit&) = delete;
+
+  std::string_view at(const Token& token) const { return token_text(text.text(), token); }
+  Span span(std::uint32_t begin, std::uint32_t end) const { return text.locate(begin, end); }
+  /// A name as its author wrote it.
+  std::string_view written_name(std::string_view name) const;
+};
+
+/// `PLUG_name` -> `name`; "" for other names.
+std::string_view plug_name(std::string_view function_name);
+
+/// Upgrades and outlines a text for a stage.
+std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage);
+
+/// An effect's or ComposedShader's parts. A LIGHT part has two forms, one for each stage that may light.
+struct EffectCode {
+  struct Part {
+    PartStage stage = PartStage::vertex;
+    std::shared_ptr<const CodeUnit> in_vertex;    ///< Set for VERTEX and LIGHT.
+    std::shared_ptr<const CodeUnit> in_fragment;  ///< Set for FRAGMENT and LIGHT.
+    std::shared_ptr<const CodeUnit> in_geometry;  ///< Set for GEOMETRY.
+  };
+  std::vector<Part> parts;  ///< Each EffectPart node once, however often it is USEd.
+
+  bool fills(std::string_view plug) const;        ///< Some part defines PLUG_plug.
+  bool uses(std::string_view castle_name) const;  ///< Some part names it.
+};
+
+/// Outlines the parts of an effect. What cannot be taken apart is reported at the author's place and left out.
+EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics);
+
+}  // namespace plugc

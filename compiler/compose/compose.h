@@ -1,0 +1,58 @@
+#pragma once
+// Recipe in, program text out: the pieces of code that a recipe asks for are placed, plugs are resolved into calls, and
+// all is joined into one text a stage whose every byte leads back to its author.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "compose/code_unit.h"
+#include "compose/recipe.h"
+#include "compose/templates.h"
+#include "glsl/stage.h"
+#include "scene/scene.h"
+
+namespace plugc {
+
+/// What composing reads. One for a whole scene; the template library remembers what it has cut.
+struct ComposeInput {
+  const Scene& scene;
+  const std::vector<EffectCode>& effects;  ///< By index of Scene::effects.
+  const std::vector<EffectCode>& shaders;  ///< By index of Scene::shaders.
+  TemplateLibrary& templates;
+};
+
+/// A uniform that an author's field feeds.
+struct FieldUniform {
+  std::string name;       ///< In the composed text.
+  std::string type;       ///< GLSL type as declared.
+  int owner = -1;         ///< Into Scene::effects, or Scene::shaders when `of_shader`.
+  bool of_shader = false;
+  int field = -1;         ///< Into its fields; -1: no field feeds it.
+  Span span;              ///< Of the uniform's name.
+};
+
+struct ComposedStage {
+  ShaderStage stage = ShaderStage::vertex;
+  MappedText text;
+};
+
+struct ComposedProgram {
+  std::vector<ComposedStage> stages;
+  std::vector<FieldUniform> fields;
+  std::vector<std::string> plugs_filled;   ///< Plugs that effects filled, sorted.
+  std::vector<std::string> plugs_empty;    ///< The other plugs that the program offers, sorted.
+  std::vector<int> faulty_effects;         ///< Effects that cannot stay in (reported); compose again without them.
+  bool faulty_shader = false;              ///< The ComposedShader cannot be used (reported).
+};
+
+/// Composes for one target. Mistakes of the authors are reported; the same mistake is said once (see Diagnostics).
+ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target target, Diagnostics& diagnostics);
+
+/// The recipe without an effect, wherever it stands.
+Recipe without_effect(Recipe recipe, int effect);
+/// Every effect of a recipe, each once, in call order.
+std::vector<int> all_effects(const Recipe& recipe);
+
+}  // namespace plugc

@@ -1,0 +1,192 @@
+// Which pieces of code make up a program, in the order in which they are called: the base shader (or a ComposedShader),
+// the renderer's lights and textures, then the effects of each light with its shadow, of each texture, of the shape.
+
+#include <algorithm>
+
+#include "compose/castle_names.h"
+#include "compose/placed_unit.h"
+
+namespace plugc {
+namespace {
+
+class Placer {
+ public:
+  explicit Placer(Composition& composition)
+      : c_(composition), recipe_(composition.recipe), lighting_(recipe_.gouraud ? ShaderStage::vertex : ShaderStage::fragment) {}
+
+  void place();
+
+ private:
+  void add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, Scope scope);
+  void add_template(std::string_view name, ShaderStage stage, const Features& features, Scope scope);
+  void place_base();
+  bool place_shader();
+  void place_light(int number);
+  void place_texture(int number);
+  void place_effects(const std::vector<int>& effects, Scope scope);
+  void place_code(const EffectCode& code, std::size_t owner, Scope scope);
+  void place_wanted_coordinates();
+  bool base_has_marker(std::string_view name) const;
+  bool effects_use(std::string_view castle_name) const;
+  Features base_features() const;
+  Features light_features(const LightRecipe& light) const;
+
+  Composition& c_;
+  const Recipe& recipe_;
+  ShaderStage lighting_;
+};
+
+void Placer::add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, Scope scope) {
+  PlacedUnit unit;
+  unit.calls.resize(code->outline.markers.size());
+  unit.function_names.resize(code->outline.functions.size());
+  unit.code = std::move(code);
+  unit.stage = stage;
+  unit.owner = owner;
+  unit.scope = scope;
+  c_.units.push_back(std::move(unit));
+}
+
+void Placer::add_template(std::string_view name, ShaderStage stage, const Features& features, Scope scope) {
+  add(c_.input.templates.get(name, stage, features, scope.number), stage, 0, scope);
+}
+
+bool Placer::effects_use(std::string_view castle_name) const {
+  const auto effects = all_effects(recipe_);
+  return std::any_of(effects.begin(), effects.end(),
+                     [&](int effect) { return c_.input.effects[static_cast<std::size_t>(effect)].uses(castle_name); });
+}
+
+Features Placer::base_features() const {
+  Features features;
+  const std::pair<bool, std::string_view> all[] = {
+      {recipe_.lit, "LIT"}, {!recipe_.lit, "UNLIT"}, {recipe_.normals, "NORMALS"}, {recipe_.two_sided, "TWO_SIDED"},
+      {recipe_.color_per_vertex, "COLOR_PER_VERTEX"}, {recipe_.vertex_eye, "VERTEX_EYE"}, {recipe_.ambient, "AMBIENT"},
+      {recipe_.specular, "SPECULAR"}, {recipe_.emissive, "EMISSIVE"},
+      {recipe_.normals && effects_use("castle_normal_eye"), "NORMAL_EYE"}};
+  for (const auto& [set, name] : all) {
+    if (set) features.insert(name);
+  }
+  return features;
+}
+
+Features Placer::light_features(const LightRecipe& light) const {
+  Features features;
+  const std::pair<bool, std::string_view> all[] = {
+      {light.kind != LightKind::directional, "POSITIONAL"}, {light.kind == LightKind::spot, "SPOT"},
+      {light.ambient, "LIGHT_AMBIENT"}, {light.attenuation, "ATTENUATION"}, {light.radius, "RADIUS"},
+      {light.beam_width, "BEAM_WIDTH"}, {recipe_.specular, "SPECULAR"}, {!base_has_marker("add_light"), "AS_CONTRIBUTION"}};
+  for (const auto& [set, name] : all) {
+    if (set) features.insert(name);
+  }
+  return features;
+}
+
+bool Placer::base_has_marker(std::string_view name) const {
+  return std::any_of(c_.units.begin(), c_.units.end(), [&](const PlacedUnit& unit) {
+    const auto& markers = unit.code->outline.markers;
+    return std::any_of(markers.begin(), markers.end(), [&](const MarkerOutline& marker) { return marker.name == name; });
+  });
+}
+
+/// A ComposedShader takes the place of the base shader when it has both stages.
+bool Placer::place_shader() {
+  if (recipe_.shader < 0) return false;
+  const auto index = static_cast<std::size_t>(recipe_.shader);
+  const EffectCode& code = c_.input.shaders[index];
+  const auto has = [&](auto member) {
+    return std::any_of(code.parts.begin(), code.parts.end(), [&](const EffectCode::Part& part) { return part.*member != nullptr; });
+  };
+  if (!has(&EffectCode::Part::in_vertex) || !has(&EffectCode::Part::in_fragment)) {
+    c_.diagnostics.report(DiagnosticId::shader_without_stage, c_.input.scene.shaders[index].span,
+                          "this `ComposedShader` needs a `VERTEX` and a `FRAGMENT` part; the base shader is used instead");
+    c_.result.faulty_shader = true;
+    return false;
+  }
+  c_.owners.push_back({OwnerKind::shader, recipe_.shader, {}});
+  place_code(code, c_.owners.size() - 1, {});
+  return true;
+}
+
+void Placer::place_base() {
+  if (recipe_.depth_only) {
+    add_template("depth.vert", ShaderStage::vertex, base_features(), {});
+    add_template("depth.frag", ShaderStage::fragment, {}, {});
+  } else if (!place_shader()) {
+    const Features features = base_features();
+    add_template(recipe_.gouraud ? "gouraud.vert" : "phong.vert", ShaderStage::vertex, features, {});
+    add_template(recipe_.gouraud ? "gouraud.frag" : "phong.frag", ShaderStage::fragment, features, {});
+  }
+}
+
+void Placer::place_light(int number) {
+  const LightRecipe& light = recipe_.lights[static_cast<std::size_t>(number)];
+  const Scope scope{ScopeKind::light, number};
+  add_template("light.glsl", lighting_, light_features(light), scope);
+  if (light.shadow) add_template("shadow.vert", ShaderStage::vertex, {}, scope);
+}
+
+void Placer::place_texture(int number) {
+  const TextureRecipe& texture = recipe_.textures[static_cast<std::size_t>(number)];
+  Features features;
+  constexpr std::string_view kModes[] = {"MODE_MODULATE", "MODE_REPLACE", "MODE_ADD"};
+  features.insert(kModes[static_cast<std::size_t>(texture.mode)]);
+  if (number == 0) features.insert("FIRST_UNIT");
+  add_template("texture.vert", ShaderStage::vertex, texture.matrix ? Features{"TEXTURE_MATRIX"} : Features{}, {ScopeKind::texture, number});
+  add_template("texture.frag", ShaderStage::fragment, features, {ScopeKind::texture, number});
+}
+
+/// Coordinates that effects read though the shape has no texture there (effects.md: a castle_ name that is used is fed).
+void Placer::place_wanted_coordinates() {
+  constexpr int kMaxUnits = 8;
+  for (int unit = static_cast<int>(recipe_.textures.size()); unit < kMaxUnits; ++unit) {
+    if (effects_use("castle_TexCoord" + std::to_string(unit))) {
+      add_template("texture.vert", ShaderStage::vertex, {}, {ScopeKind::texture, unit});
+    }
+  }
+}
+
+void Placer::place_code(const EffectCode& code, std::size_t owner, Scope scope) {
+  for (const EffectCode::Part& part : code.parts) {
+    if (part.stage == PartStage::light) {
+      add(lighting_ == ShaderStage::vertex ? part.in_vertex : part.in_fragment, lighting_, owner, scope);
+    } else if (part.stage == PartStage::vertex) {
+      add(part.in_vertex, ShaderStage::vertex, owner, scope);
+    } else if (part.stage == PartStage::fragment && !recipe_.depth_only) {
+      add(part.in_fragment, ShaderStage::fragment, owner, scope);
+    }
+  }
+}
+
+void Placer::place_effects(const std::vector<int>& effects, Scope scope) {
+  for (const int effect : effects) {
+    c_.owners.push_back({OwnerKind::effect, effect, {}});
+    place_code(c_.input.effects[static_cast<std::size_t>(effect)], c_.owners.size() - 1, scope);
+  }
+}
+
+void Placer::place() {
+  place_base();
+  for (std::size_t i = 0; i < recipe_.lights.size(); ++i) place_light(static_cast<int>(i));
+  for (std::size_t i = 0; i < recipe_.textures.size(); ++i) place_texture(static_cast<int>(i));
+  place_wanted_coordinates();
+  if (recipe_.alpha_test) add_template("alpha_test.frag", ShaderStage::fragment, {}, {});
+  for (std::size_t i = 0; i < recipe_.lights.size(); ++i) {
+    const LightRecipe& light = recipe_.lights[i];
+    const Scope scope{ScopeKind::light, static_cast<int>(i)};
+    place_effects(light.effects, scope);
+    if (light.shadow) {
+      add_template("shadow.glsl", lighting_, light.shadow_intensity ? Features{"SHADOW_INTENSITY"} : Features{}, scope);
+    }
+  }
+  for (std::size_t i = 0; i < recipe_.textures.size(); ++i) {
+    place_effects(recipe_.textures[i].effects, {ScopeKind::texture, static_cast<int>(i)});
+  }
+  place_effects(recipe_.effects, {});
+}
+
+}  // namespace
+
+void place_units(Composition& composition) { Placer(composition).place(); }
+
+}  // namespace plugc

@@ -1,0 +1,176 @@
+// A term enters the recipe when its value can differ from what makes it vanish: a slot that a ROUTE writes can take any
+// value, any other slot keeps the one it has; and a plug that some effect fills makes its term matter too.
+
+#include "compose/recipe.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace plugc {
+namespace {
+
+class RecipeMaker {
+ public:
+  RecipeMaker(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes)
+      : scene_(scene), shape_(shape), facts_(facts), codes_(codes), material_(material_of(scene, shape)) {}
+
+  Recipe make();
+
+ private:
+  static SceneMaterial material_of(const Scene& scene, const SceneShape& shape) {
+    return shape.material < 0 ? SceneMaterial() : scene.materials[static_cast<std::size_t>(shape.material)];
+  }
+
+  const Slot* slot(std::uint32_t index) const { return index == kSceneNoSlot ? nullptr : &scene_.slots[index]; }
+  /// Whether the slot may hold something else than `value` in some component.
+  bool may_differ(std::uint32_t index, double value) const {
+    const Slot* found = slot(index);
+    if (found == nullptr) return false;
+    return found->routed || std::any_of(found->values.begin(), found->values.end(), [&](double v) { return v != value; });
+  }
+  bool fills(const std::vector<int>& effects, std::string_view plug) const {
+    return std::any_of(effects.begin(), effects.end(), [&](int e) { return codes_[static_cast<std::size_t>(e)].fills(plug); });
+  }
+  bool any_effect(auto predicate) const;
+  bool any_fills(std::string_view plug) const {
+    return any_effect([&](const EffectCode& code) { return code.fills(plug); });
+  }
+  bool has_effects() const {
+    return any_effect([](const EffectCode&) { return true; });
+  }
+
+  LightRecipe light(int index) const;
+  bool needs_vertex_eye(const Recipe& recipe) const;
+
+  const Scene& scene_;
+  const SceneShape& shape_;
+  const ShapeFacts& facts_;
+  const std::vector<EffectCode>& codes_;
+  SceneMaterial material_;
+};
+
+bool RecipeMaker::any_effect(auto predicate) const {
+  const auto any_of_list = [&](const std::vector<int>& effects) {
+    return std::any_of(effects.begin(), effects.end(), [&](int e) { return predicate(codes_[static_cast<std::size_t>(e)]); });
+  };
+  return any_of_list(shape_.effects) ||
+         std::any_of(shape_.lights.begin(), shape_.lights.end(),
+                     [&](int light) { return any_of_list(scene_.lights[static_cast<std::size_t>(light)].effects); }) ||
+         std::any_of(shape_.textures.begin(), shape_.textures.end(), [&](const TextureUse& use) {
+           return any_of_list(scene_.textures[static_cast<std::size_t>(use.texture)].effects);
+         });
+}
+
+LightRecipe RecipeMaker::light(int index) const {
+  const SceneLight& light = scene_.lights[static_cast<std::size_t>(index)];
+  LightRecipe recipe;
+  recipe.kind = light.kind;
+  const bool both_ambient = may_differ(light.ambient_intensity, 0) && may_differ(material_.ambient, 0) && may_differ(material_.diffuse, 0);
+  recipe.ambient = both_ambient || any_fills("material_ambient") || any_fills("material_light_ambient");
+  if (const Slot* attenuation = slot(light.attenuation)) {
+    recipe.attenuation = attenuation->routed || attenuation->values != std::vector<double>{1, 0, 0};
+  }
+  if (const Slot* radius = slot(light.radius)) recipe.radius = radius->routed || radius->values[0] >= 0;
+  if (const Slot* beam = slot(light.beam_width)) {
+    const Slot* cut_off = slot(light.cut_off_angle);
+    recipe.beam_width = beam->routed || cut_off->routed || beam->values[0] < cut_off->values[0];
+  }
+  recipe.shadow = std::find(shape_.receives.begin(), shape_.receives.end(), index) != shape_.receives.end();
+  recipe.shadow_intensity = recipe.shadow && may_differ(light.shadow_intensity, 1);
+  recipe.effects = light.effects;
+  return recipe;
+}
+
+bool RecipeMaker::needs_vertex_eye(const Recipe& recipe) const {
+  const bool by_lights = !recipe.gouraud && recipe.lit &&
+                         (recipe.specular || std::any_of(recipe.lights.begin(), recipe.lights.end(), [](const LightRecipe& light) {
+                            return light.kind != LightKind::directional;
+                          }));
+  constexpr std::string_view kReaders[] = {"fragment_eye_space", "lighting_apply", "material_light_diffuse", "add_light",
+                                           "add_light_contribution"};
+  const bool by_plugs = !recipe.gouraud && std::any_of(std::begin(kReaders), std::end(kReaders), [&](std::string_view plug) {
+    return any_fills(plug);
+  });
+  return by_lights || by_plugs || any_effect([](const EffectCode& code) { return code.uses("castle_vertex_eye"); });
+}
+
+Recipe RecipeMaker::make() {
+  Recipe recipe;
+  recipe.shader = shape_.shader;
+  recipe.effects = shape_.effects;
+  recipe.lit = material_.lighting == Lighting::phong && facts_.has_normals;
+  recipe.gouraud = shape_.shading == Shading::gouraud && shape_.receives.empty() && shape_.shader < 0;
+  recipe.normals = facts_.has_normals && (recipe.lit || has_effects() || recipe.shader >= 0);
+  recipe.two_sided = !facts_.solid && recipe.normals;
+  recipe.color_per_vertex = facts_.has_colors;
+  recipe.alpha_test = facts_.alpha_test;
+  const bool shines = may_differ(material_.specular, 0) && may_differ(material_.shininess, -1);
+  recipe.specular = recipe.lit && (shines || any_fills("material_specular") || any_fills("material_light_specular"));
+  recipe.emissive = recipe.lit && (may_differ(material_.emissive, 0) || any_fills("material_emissive"));
+  if (recipe.lit || recipe.shader >= 0) {
+    for (const int index : shape_.lights) recipe.lights.push_back(light(index));
+  }
+  recipe.ambient = std::any_of(recipe.lights.begin(), recipe.lights.end(), [](const LightRecipe& light) { return light.ambient; });
+  for (const TextureUse& use : shape_.textures) {
+    recipe.textures.push_back({use.mode, use.transform >= 0, scene_.textures[static_cast<std::size_t>(use.texture)].effects});
+  }
+  recipe.vertex_eye = needs_vertex_eye(recipe);
+  return recipe;
+}
+
+void append_effects(std::string& text, const std::vector<int>& effects, const Scene& scene) {
+  for (const int effect : effects) text += fmt::format(" `{}`", scene.effects[static_cast<std::size_t>(effect)].label);
+}
+
+}  // namespace
+
+Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes) {
+  return RecipeMaker(scene, shape, facts, codes).make();
+}
+
+Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes) {
+  Recipe depth;
+  depth.depth_only = true;
+  for (const int effect : recipe.effects) {
+    const EffectCode& code = codes[static_cast<std::size_t>(effect)];
+    if (code.fills("vertex_object_space_change") || code.fills("vertex_object_space")) depth.effects.push_back(effect);
+  }
+  depth.normals = recipe.normals && !depth.effects.empty();
+  return depth;
+}
+
+std::string to_text(const Recipe& recipe, const Scene& scene) {
+  std::string text = recipe.depth_only ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
+  const std::pair<bool, std::string_view> flags[] = {
+      {!recipe.depth_only && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
+      {recipe.specular, " specular"}, {recipe.emissive, " emissive"}, {recipe.two_sided, " two_sided"},
+      {recipe.color_per_vertex, " color_per_vertex"}, {recipe.alpha_test, " alpha_test"}};
+  for (const auto& [set, word] : flags) {
+    if (set) text += word;
+  }
+  if (recipe.shader >= 0) text += fmt::format(" `{}`", scene.shaders[static_cast<std::size_t>(recipe.shader)].label);
+  constexpr std::string_view kKinds[] = {"directional", "point", "spot"};
+  for (const LightRecipe& light : recipe.lights) {
+    text += fmt::format("; light {}", kKinds[static_cast<std::size_t>(light.kind)]);
+    const std::pair<bool, std::string_view> terms[] = {{light.ambient, " ambient"}, {light.attenuation, " attenuation"},
+                                                       {light.radius, " radius"}, {light.beam_width, " beam_width"},
+                                                       {light.shadow, " shadow"}, {light.shadow_intensity, " shadow_intensity"}};
+    for (const auto& [set, word] : terms) {
+      if (set) text += word;
+    }
+    append_effects(text, light.effects, scene);
+  }
+  constexpr std::string_view kModes[] = {"modulate", "replace", "add"};
+  for (const TextureRecipe& texture : recipe.textures) {
+    text += fmt::format("; texture {}{}", kModes[static_cast<std::size_t>(texture.mode)], texture.matrix ? " matrix" : "");
+    append_effects(text, texture.effects, scene);
+  }
+  if (!recipe.effects.empty()) {
+    text += "; effects";
+    append_effects(text, recipe.effects, scene);
+  }
+  return text;
+}
+
+}  // namespace plugc

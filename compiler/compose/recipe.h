@@ -1,0 +1,67 @@
+#pragma once
+// What a shape needs of its program, and nothing else: two shapes with equal recipes share a program without composing it
+// twice. Colours, positions and the like are no part of it; whether a term can matter at all is.
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "compose/code_unit.h"
+#include "scene/scene.h"
+
+namespace plugc {
+
+struct LightRecipe {
+  LightKind kind = LightKind::directional;
+  bool ambient = false;        ///< The light's and the material's ambient colours may both differ from black.
+  bool attenuation = false;
+  bool radius = false;
+  bool beam_width = false;
+  bool shadow = false;
+  bool shadow_intensity = false;  ///< Something else than full shadow.
+  std::vector<int> effects;    ///< Into Scene::effects.
+  auto operator<=>(const LightRecipe&) const = default;
+};
+
+struct TextureRecipe {
+  TextureMode mode = TextureMode::modulate;
+  bool matrix = false;
+  std::vector<int> effects;
+  auto operator<=>(const TextureRecipe&) const = default;
+};
+
+struct Recipe {
+  bool depth_only = false;     ///< The program of a shadow pass.
+  bool gouraud = false;
+  bool lit = false;
+  bool normals = false;        ///< The mesh has normals and something reads them.
+  bool two_sided = false;
+  bool color_per_vertex = false;
+  bool alpha_test = false;
+  bool ambient = false, specular = false, emissive = false;
+  bool vertex_eye = false;     ///< Lighting or an effect reads the eye-space position per fragment.
+  int shader = -1;             ///< A ComposedShader in place of the base shader.
+  std::vector<LightRecipe> lights;      ///< Number N of a light is its place here.
+  std::vector<TextureRecipe> textures;  ///< Number N of a texture is its place here.
+  std::vector<int> effects;             ///< Of the Appearance, then of the groups.
+  auto operator<=>(const Recipe&) const = default;
+};
+
+/// What the recipe must know of a shape beyond the scene: its mesh and its images.
+struct ShapeFacts {
+  bool has_normals = true;
+  bool has_colors = false;
+  bool solid = true;
+  bool alpha_test = false;     ///< Some texture's alpha is all or nothing, and the shape is not blended.
+};
+
+/// `codes` holds the outlined effects of the scene, by index.
+Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes);
+/// The recipe of a caster's depth pass: vertex effects only.
+Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes);
+
+/// One line: `phong lit specular; light directional ambient; texture modulate; effects Fresnel`.
+std::string to_text(const Recipe& recipe, const Scene& scene);
+
+}  // namespace plugc

@@ -1,0 +1,45 @@
+#pragma once
+// Template shaders, cut to what a shape uses. Templates are plain GLSL whose `#ifdef FEATURE` lines are resolved here, so
+// that composed text holds no trace of what it does not need, and whose names with a capital N (`castle_texture_N`,
+// `castle_LightSourceNColor`, `light_source_N`) are numbered.
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "compose/code_unit.h"
+
+namespace plugc {
+
+using Features = std::set<std::string_view>;
+
+/// Lines kept by `#ifdef`/`#ifndef`/`#else`/`#endif` on feature names, which nest. Mapped to the template's own text.
+MappedText cut_template(const SourceSet& sources, SourceId source, const Features& features);
+
+/// The text with its N names numbered.
+MappedText number_names(const MappedText& text, int number);
+
+/// Hands out cut, numbered and outlined templates, each form made once.
+class TemplateLibrary {
+ public:
+  explicit TemplateLibrary(SourceSet& sources) : sources_(&sources) {}
+  /// `name` without folder, e.g. `phong.frag`; `number` -1 for none.
+  std::shared_ptr<const CodeUnit> get(std::string_view name, ShaderStage stage, const Features& features, int number = -1);
+
+ private:
+  struct Key {
+    std::string name;
+    ShaderStage stage;
+    Features features;
+    int number;
+    auto operator<=>(const Key&) const = default;
+  };
+  SourceId source(std::string_view name);
+  SourceSet* sources_;
+  std::map<std::string, SourceId, std::less<>> loaded_;
+  std::map<Key, std::shared_ptr<const CodeUnit>> made_;
+};
+
+}  // namespace plugc

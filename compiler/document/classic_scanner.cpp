@@ -1,0 +1,115 @@
+// One table look-up a character; numbers go through scan_number() in the header, so that lists of them run in one loop.
+// A string is copied in runs between its escapes. Skipping a bracket counts depth instead of recursing.
+
+#include "document/classic_scanner.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "document/document_builder.h"
+
+namespace plugc {
+namespace {
+
+/// Behind the closing quote of the string at `at`, or the end of the text.
+const char* string_end(const char* at, const char* end) {
+  for (++at; at < end && *at != '"'; ++at) {
+    if (*at == '\\') ++at;
+  }
+  return at < end ? at + 1 : end;
+}
+
+}  // namespace
+
+ClassicScanner::ClassicScanner(SourceId source, std::string_view text)
+    : source_(source), begin_(text.data()), at_(begin_), end_(begin_ + text.size()), read_to_(begin_) {
+  if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
+  skip_space();
+}
+
+void ClassicScanner::skip_comments() {
+  while (at_ != end_ && *at_ == '#') {
+    at_ = std::find_if(at_, end_, [](char c) { return c == '\n' || c == '\r'; });
+    while (at_ != end_ && is_a(*at_, kSpaceCharacter)) ++at_;
+  }
+}
+
+const char* ClassicScanner::token_end() const {
+  if (at_ == end_) return end_;
+  if (*at_ == '"') return string_end(at_, end_);
+  const char* end = std::find_if_not(
+      at_, end_, next_is(kNumberStart) ? runs_on_number : [](char c) { return is_a(c, kWordRest); });
+  return end == at_ ? at_ + 1 : end;
+}
+
+Span ClassicScanner::next_span() const {
+  return {source_, offset(), static_cast<std::uint32_t>(token_end() - begin_)};
+}
+
+std::string ClassicScanner::describe_next() const {
+  if (at_end()) return "the end of the file";
+  if (next() == '"') return "a string";
+  const std::string_view token(at_, static_cast<std::size_t>(token_end() - at_));
+  if (static_cast<unsigned char>(token[0]) < 0x20 || token[0] == 0x7f) {
+    return fmt::format("the byte 0x{:02x}", static_cast<unsigned char>(token[0]));
+  }
+  return fmt::format("`{}`", shown(token));
+}
+
+std::string_view ClassicScanner::peek_word() const {
+  if (!next_is(kWordStart)) return "";
+  return {at_, static_cast<std::size_t>(token_end() - at_)};
+}
+
+Name ClassicScanner::take_word() {
+  const std::uint32_t begin = offset();
+  const std::string_view word = peek_word();
+  if (!word.empty()) finish_token(at_ + word.size());
+  return {word, span_from(begin)};
+}
+
+bool ClassicScanner::brace_follows_word() const {
+  ClassicScanner ahead = *this;
+  return !ahead.take_word().empty() && ahead.next() == '{';
+}
+
+bool ClassicScanner::take_odd_number(double& value) {
+  double read = 0;
+  const auto [end, error] = scan_number(at_, end_, read);
+  const std::string_view token(at_, static_cast<std::size_t>(token_end() - at_));
+  if (error == std::errc()) value = read;
+  // Too small to tell from zero is zero: exporters write `1e-400` and mean that.
+  const bool tiny = error == std::errc::result_out_of_range && end == token_end() && token.find("e-") != std::string_view::npos;
+  finish_token(token_end());
+  return tiny;
+}
+
+bool ClassicScanner::take_string(MappedText& text) {
+  const char* run = at_ + 1;
+  const char* at = run;
+  const auto place = [&](const char* c) { return static_cast<std::uint32_t>(c - begin_); };
+  for (; at != end_ && *at != '"'; ++at) {
+    const bool escape = *at == '\\' && at + 1 != end_ && (at[1] == '"' || at[1] == '\\');
+    if (!escape) continue;
+    append_with_line_feeds(text, {run, static_cast<std::size_t>(at - run)}, source_, place(run));
+    text.append_generated({at + 1, 1}, {source_, place(at), place(at) + 2});
+    run = ++at + 1;
+  }
+  append_with_line_feeds(text, {run, static_cast<std::size_t>(at - run)}, source_, place(run));
+  const bool closed = at != end_;
+  finish_token(closed ? at + 1 : at);
+  return closed;
+}
+
+void ClassicScanner::skip_item() {
+  std::size_t depth = 0;
+  do {
+    if (next() == '[' || next() == '{') ++depth;
+    if ((next() == ']' || next() == '}') && depth > 0) --depth;
+    finish_token(token_end());
+  } while (depth > 0 && !at_end());
+}
+
+}  // namespace plugc

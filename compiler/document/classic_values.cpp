@@ -1,0 +1,205 @@
+// Without a node table a value is taken by what it looks like: `[`, a number (and all that follow it), one string, TRUE,
+// FALSE, NULL, IS, or else a node. The first item of a list decides what the list holds; an item of another kind is
+// reported and left out.
+
+#include <fmt/format.h>
+
+#include "document/classic_reader.h"
+
+namespace plugc {
+namespace {
+
+std::string_view in_words(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::numbers: return "numbers";
+    case ValueKind::booleans: return "booleans";
+    case ValueKind::strings: return "strings";
+    default: return "nodes";
+  }
+}
+
+}  // namespace
+
+ValueSyntax ClassicReader::read_value(const Name& field) {
+  const std::uint32_t begin = scan_.offset();
+  const std::size_t first_number = build_.document.numbers.size();
+  const std::size_t first_string = build_.document.strings.size();
+  if (scan_.next() == '[') return read_list();
+  ValueSyntax value;
+  if (scan_.next_is(kNumberStart)) {
+    value.kind = ValueKind::numbers;
+    while (scan_.next_is(kNumberStart)) read_number();
+  } else if (scan_.next() == '"') {
+    value.kind = ValueKind::strings;
+    read_string();
+  } else if (scan_.next_is(kWordStart)) {
+    read_word_value(value, field);
+  } else {
+    expected(fmt::format("a value for `{}`", shown(field.text)));
+    if (scan_.next() == '{' || scan_.next() == ']') scan_.skip_item();
+    return value;
+  }
+  value.span = scan_.span_from(begin);
+  if (value.kind != ValueKind::nodes) {
+    value.numbers = build_.numbers_since(first_number);
+    value.strings = build_.strings_since(first_string);
+  }
+  return value;
+}
+
+void ClassicReader::read_word_value(ValueSyntax& value, const Name& field) {
+  const std::string_view word = scan_.peek_word();
+  if (boolean_is_next()) {
+    value.kind = ValueKind::booleans;
+    read_boolean();
+  } else if (word == "NULL") {
+    value.kind = ValueKind::nodes;
+    scan_.take_word();
+  } else if (word == "IS") {
+    read_is(value);
+  } else if (word == "DEF" || word == "USE" || looks_like_node_type(word) || scan_.brace_follows_word()) {
+    value.kind = ValueKind::nodes;
+    const std::size_t mark = build_.nodes.open();
+    if (auto node = read_node()) build_.add_list_node(std::move(*node));
+    value.nodes = build_.nodes.close(mark, build_.document.nodes);
+  } else {
+    expected(fmt::format("a value for `{}`", shown(field.text)));
+    if (word_is_bad_value()) scan_.take_word();
+  }
+}
+
+/// Of `whichChoice one children [ ]` the word is a wrong value; of `whichChoice children [ ]` it is the next field.
+bool ClassicReader::word_is_bad_value() const {
+  ClassicScanner ahead = scan_;
+  ahead.take_word();
+  return ahead.next() == '}' || (ahead.next_is(kWordStart) && !looks_like_node_type(ahead.peek_word()));
+}
+
+bool ClassicReader::boolean_is_next() const {
+  const std::string_view word = scan_.peek_word();
+  return word == "TRUE" || word == "FALSE" || word == "true" || word == "false";
+}
+
+void ClassicReader::read_boolean() {
+  const Name word = scan_.take_word();
+  const bool truth = word.text == "TRUE" || word.text == "true";
+  if (word.text[0] == 't' || word.text[0] == 'f') {
+    build_.mistake(word.span, fmt::format("the classic encoding spells `{}` as `{}`", word.text, truth ? "TRUE" : "FALSE"));
+  }
+  build_.document.numbers.push_back(truth ? 1 : 0);
+}
+
+void ClassicReader::read_number() {
+  const std::uint32_t begin = scan_.offset();
+  double number = 0;
+  if (!scan_.take_number(number)) {
+    const Span place = scan_.span_from(begin);
+    build_.mistake(place, fmt::format("`{}` is no number that plugc can read", shown(build_.sources.text(place))));
+  }
+  build_.document.numbers.push_back(number);
+}
+
+void ClassicReader::read_string() {
+  const Span place = scan_.next_span();
+  MappedText text;
+  if (!scan_.take_string(text)) {
+    build_.mistake({place.source, place.begin, place.begin + 1}, "this `\"` begins a string that is not closed");
+  }
+  build_.add_string(std::move(text), place);
+}
+
+void ClassicReader::read_is(ValueSyntax& value) {
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  const Name name = expect_name("the name of a field of the prototype");
+  if (name.empty()) return;
+  value.kind = ValueKind::is;
+  value.strings = build_.add_string(MappedText(build_.sources, name.span), name.span);
+  value.span = scan_.span_from(begin);
+}
+
+ValueSyntax ClassicReader::read_list() {
+  ValueSyntax value;
+  value.bracketed = true;
+  const std::uint32_t begin = scan_.offset();
+  const Span bracket = scan_.next_span();
+  const std::size_t nodes = build_.nodes.open();
+  const std::size_t first_number = build_.document.numbers.size();
+  const std::size_t first_string = build_.document.strings.size();
+  scan_.take('[');
+  while (!stopped() && scan_.next() != ']' && read_list_item(value)) {
+  }
+  if (!scan_.take(']')) not_closed(bracket, "`[`");
+  value.span = scan_.span_from(begin);
+  value.nodes = build_.nodes.close(nodes, build_.document.nodes);
+  if (value.kind == ValueKind::none) value.kind = ValueKind::empty;
+  if (value.kind != ValueKind::nodes) {
+    value.numbers = build_.numbers_since(first_number);
+    value.strings = build_.strings_since(first_string);
+  }
+  return value;
+}
+
+/// One item, or false before what cannot belong to a list.
+bool ClassicReader::read_list_item(ValueSyntax& value) {
+  if (scan_.next_is(kNumberStart)) {
+    if (accept_in_list(value, ValueKind::numbers)) read_number();
+  } else if (scan_.next() == '"') {
+    if (accept_in_list(value, ValueKind::strings)) read_string();
+  } else if (scan_.next_is(kWordStart)) {
+    return read_list_word(value);
+  } else if (scan_.at_end() || scan_.next() == '}') {
+    return false;
+  } else {
+    expected("an item of the list or `]`");
+    scan_.skip_item();
+  }
+  return true;
+}
+
+bool ClassicReader::read_list_word(ValueSyntax& value) {
+  const std::string_view word = scan_.peek_word();
+  if (boolean_is_next()) {
+    if (accept_in_list(value, ValueKind::booleans)) read_boolean();
+  } else if (word == "NULL") {
+    if (accept_in_list(value, ValueKind::nodes)) scan_.take_word();
+  } else if (word == "DEF" || word == "USE" || scan_.brace_follows_word()) {
+    read_list_node(value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// A node among numbers or strings is read, for its own mistakes, and dropped.
+void ClassicReader::read_list_node(ValueSyntax& value) {
+  const bool fits = value.kind == ValueKind::none || value.kind == ValueKind::nodes;
+  if (!fits) report_mixed_list(value.kind);
+  const PoolSizes before = build_.pool_sizes();
+  auto node = read_node();
+  if (!fits) return build_.drop_since(before);
+  value.kind = ValueKind::nodes;
+  if (node) build_.add_list_node(std::move(*node));
+}
+
+/// Whether an item of this kind may stand in the list; one that may not is reported and skipped.
+bool ClassicReader::accept_in_list(ValueSyntax& value, ValueKind kind) {
+  const auto numeric = [](ValueKind k) { return k == ValueKind::numbers || k == ValueKind::booleans; };
+  if (value.kind == ValueKind::none || value.kind == kind) {
+    value.kind = kind;
+  } else if (numeric(value.kind) && numeric(kind)) {
+    value.kind = ValueKind::numbers;
+  } else {
+    report_mixed_list(value.kind);
+    scan_.skip_item();
+    return false;
+  }
+  return true;
+}
+
+void ClassicReader::report_mixed_list(ValueKind kind) {
+  build_.mistake(scan_.next_span(),
+                 fmt::format("this list holds {}; {} cannot stand in it", in_words(kind), scan_.describe_next()));
+}
+
+}  // namespace plugc

@@ -1,0 +1,168 @@
+// Every added item passes admit(), which stops the reading when a file holds more of them than plugc keeps in memory.
+// An item that is not admitted is dropped: the Document stays consistent, only incomplete.
+
+#include "document/document_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+
+namespace plugc {
+
+DocumentBuilder::DocumentBuilder(SourceId source, Encoding encoding, const SourceSet& texts, Diagnostics& sink)
+    : sources(texts), diagnostics(sink) {
+  document.source = source;
+  document.encoding = encoding;
+}
+
+void DocumentBuilder::mistake(const Span& span, std::string message) {
+  if (stopped_) return;
+  diagnostics.report(DiagnosticId::syntax, span, std::move(message));
+  if (++mistakes_ < kMaxSyntaxMistakes) return;
+  stopped_ = true;
+  diagnostics.report(DiagnosticId::syntax, span,
+                     fmt::format("this file has {} mistakes; the rest of it is not read", kMaxSyntaxMistakes));
+}
+
+void DocumentBuilder::too_deep(const Span& span) {
+  if (stopped_) return;
+  diagnostics.report(DiagnosticId::nesting_limit, span,
+                     fmt::format("nodes are nested more than {} deep; this one is passed over", kMaxNesting));
+  if (++mistakes_ >= kMaxSyntaxMistakes) stopped_ = true;
+}
+
+bool DocumentBuilder::admit(const Span& place) {
+  if (stopped_) return false;
+  if (++items_ <= kMaxDocumentItems) return true;
+  stopped_ = true;
+  diagnostics.report(
+      DiagnosticId::scene_limit, place,
+      fmt::format("this file holds more than {} nodes, fields and strings; the rest of it is not read", kMaxDocumentItems));
+  return false;
+}
+
+OpenBody DocumentBuilder::open_body() const {
+  return {fields.open(), interfaces.open(), statements.open(), cdata.open()};
+}
+
+void DocumentBuilder::close_body(const OpenBody& body, NodeSyntax& node) {
+  node.fields = fields.close(body.fields, document.fields);
+  node.interface = interfaces.close(body.interface, document.interfaces);
+  node.statements = statements.close(body.statements, document.statement_pool);
+  node.cdata = cdata.close(body.cdata, document.strings);
+}
+
+void DocumentBuilder::add_field(FieldSyntax field, const Span& place) {
+  if (admit(place)) fields.add(std::move(field));
+}
+
+void DocumentBuilder::add_interface(InterfaceSyntax field) {
+  if (admit(field.span)) interfaces.add(std::move(field));
+}
+
+void DocumentBuilder::add_list_node(NodeSyntax node) {
+  if (admit(node.span)) nodes.add(std::move(node));
+}
+
+void DocumentBuilder::add_cdata(MappedText text, const Span& place) {
+  if (admit(place)) cdata.add(std::move(text));
+}
+
+void DocumentBuilder::add_statement(NodeSyntax node) {
+  if (!admit(node.span)) return;
+  statements.add({StatementKind::node, static_cast<std::uint32_t>(document.nodes.size())});
+  document.nodes.push_back(std::move(node));
+}
+
+void DocumentBuilder::add_statement(RouteSyntax route) {
+  if (!admit(route.span)) return;
+  statements.add({StatementKind::route, static_cast<std::uint32_t>(document.routes.size())});
+  document.routes.push_back(std::move(route));
+}
+
+void DocumentBuilder::add_statement(StatementKind kind, ProtoSyntax proto) {
+  if (!admit(proto.span)) return;
+  statements.add({kind, static_cast<std::uint32_t>(document.protos.size())});
+  document.protos.push_back(std::move(proto));
+}
+
+void DocumentBuilder::add_statement(StatementKind kind, ImportSyntax import) {
+  if (!admit(import.span)) return;
+  statements.add({kind, static_cast<std::uint32_t>(document.imports.size())});
+  document.imports.push_back(std::move(import));
+}
+
+Range<MappedText> DocumentBuilder::add_string(MappedText text, const Span& place) {
+  const std::size_t first = document.strings.size();
+  if (admit(place)) document.strings.push_back(std::move(text));
+  return strings_since(first);
+}
+
+Range<double> DocumentBuilder::numbers_since(std::size_t first) const {
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(document.numbers.size() - first)};
+}
+
+Range<MappedText> DocumentBuilder::strings_since(std::size_t first) const {
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(document.strings.size() - first)};
+}
+
+PoolSizes DocumentBuilder::pool_sizes() const {
+  return {document.nodes.size(),          document.fields.size(),  document.interfaces.size(),
+          document.statement_pool.size(), document.routes.size(),  document.protos.size(),
+          document.imports.size(),        document.numbers.size(), document.strings.size()};
+}
+
+void DocumentBuilder::drop_since(const PoolSizes& sizes) {
+  document.nodes.resize(sizes.nodes);
+  document.fields.resize(sizes.fields);
+  document.interfaces.resize(sizes.interfaces);
+  document.statement_pool.resize(sizes.statements);
+  document.routes.resize(sizes.routes);
+  document.protos.resize(sizes.protos);
+  document.imports.resize(sizes.imports);
+  document.numbers.resize(sizes.numbers);
+  document.strings.resize(sizes.strings);
+}
+
+std::string_view shown(std::string_view name) {
+  constexpr std::size_t kLongest = 32;
+  if (name.size() <= kLongest) return name;
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
+  return name.substr(0, end);
+}
+
+void set_version(DocumentBuilder& builder, std::string_view text, const Span& span) {
+  static constexpr std::array<std::string_view, 6> kX3d = {"3.0", "3.1", "3.2", "3.3", "4.0", "4.1"};
+  Document& document = builder.document;
+  const bool vrml = document.encoding == Encoding::vrml2;
+  const bool known = vrml ? text == "2.0" : std::find(kX3d.begin(), kX3d.end(), text) != kX3d.end();
+  if (known) {
+    document.version_major = static_cast<std::uint32_t>(text[0] - '0');
+    document.version_minor = static_cast<std::uint32_t>(text[2] - '0');
+    return;
+  }
+  document.version_major = vrml ? 2 : 4;
+  document.version_minor = 0;
+  builder.diagnostics.report(DiagnosticId::header_odd, span,
+                             fmt::format("there is no version `{}` of {}; this file is read as {}.0", shown(text),
+                                         vrml ? "VRML" : "X3D", document.version_major));
+}
+
+void append_with_line_feeds(MappedText& text, std::string_view written, SourceId source, std::uint32_t begin) {
+  std::size_t done = 0;
+  for (std::size_t at = written.find('\r'); at != std::string_view::npos; at = written.find('\r', at + 1)) {
+    const auto place = static_cast<std::uint32_t>(begin + at);
+    text.append(written.substr(done, at - done), source, begin + static_cast<std::uint32_t>(done));
+    done = at + 1;
+    const bool pair = done < written.size() && written[done] == '\n';
+    if (!pair) text.append_generated("\n", {source, place, place + 1});
+  }
+  text.append(written.substr(done), source, begin + static_cast<std::uint32_t>(done));
+}
+
+}  // namespace plugc

@@ -1,0 +1,102 @@
+#pragma once
+// A Document while it is read. Lists nest in the text but lie flat in the pools, so the items of a list wait on a stack of
+// their kind until the list closes. The builder also counts mistakes and items: beyond a limit reading stops.
+
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "base/diagnostics.h"
+#include "document/document.h"
+
+namespace plugc {
+
+/// Lists of one kind that are still open, one above the other.
+template <typename T>
+class OpenLists {
+ public:
+  /// What close() takes to end the list that begins here.
+  std::size_t open() const { return items_.size(); }
+  void add(T item) { items_.push_back(std::move(item)); }
+  T* begin(std::size_t mark) { return items_.data() + mark; }
+  T* end() { return items_.data() + items_.size(); }
+
+  /// Moves the items since `mark` into the pool.
+  Range<T> close(std::size_t mark, std::vector<T>& pool) {
+    const Range<T> range{static_cast<std::uint32_t>(pool.size()), static_cast<std::uint32_t>(items_.size() - mark)};
+    const auto first = items_.begin() + static_cast<std::ptrdiff_t>(mark);
+    pool.insert(pool.end(), std::make_move_iterator(first), std::make_move_iterator(items_.end()));
+    items_.erase(first, items_.end());
+    return range;
+  }
+
+ private:
+  std::vector<T> items_;
+};
+
+/// Where the lists of one node's body begin.
+struct OpenBody {
+  std::size_t fields = 0, interface = 0, statements = 0, cdata = 0;
+};
+
+/// How much the pools of a Document hold.
+struct PoolSizes {
+  std::size_t nodes, fields, interfaces, statements, routes, protos, imports, numbers, strings;
+};
+
+class DocumentBuilder {
+ public:
+  DocumentBuilder(SourceId source, Encoding encoding, const SourceSet& sources, Diagnostics& diagnostics);
+
+  /// Reports a mistake; after very many the text is taken for something else and reading stops.
+  void mistake(const Span& span, std::string message);
+  void too_deep(const Span& span);
+  bool stopped() const { return stopped_; }
+
+  OpenBody open_body() const;
+  void close_body(const OpenBody& body, NodeSyntax& node);
+
+  void add_field(FieldSyntax field, const Span& place);
+  void add_interface(InterfaceSyntax field);
+  void add_list_node(NodeSyntax node);
+  void add_cdata(MappedText text, const Span& place);
+  void add_statement(NodeSyntax node);
+  void add_statement(RouteSyntax route);
+  void add_statement(StatementKind kind, ProtoSyntax proto);
+  void add_statement(StatementKind kind, ImportSyntax import);
+
+  Range<MappedText> add_string(MappedText text, const Span& place);
+  /// The numbers since `first` of the pool.
+  Range<double> numbers_since(std::size_t first) const;
+  Range<MappedText> strings_since(std::size_t first) const;
+
+  PoolSizes pool_sizes() const;
+  /// Drops what was added to the pools since, for something that was read and may not stand where it does.
+  void drop_since(const PoolSizes& sizes);
+
+  const SourceSet& sources;
+  Diagnostics& diagnostics;
+  Document document;
+  OpenLists<NodeSyntax> nodes;
+  OpenLists<FieldSyntax> fields;
+  OpenLists<InterfaceSyntax> interfaces;
+  OpenLists<StatementSyntax> statements;
+  OpenLists<MappedText> cdata;
+
+ private:
+  bool admit(const Span& place);
+  std::size_t items_ = 0;
+  std::size_t mistakes_ = 0;
+  bool stopped_ = false;
+};
+
+/// As much of a name from the input as a message should repeat; cut between characters.
+std::string_view shown(std::string_view name);
+
+/// Takes `3.2` for the document's version and warns when there is no such version.
+void set_version(DocumentBuilder& builder, std::string_view text, const Span& span);
+
+/// Appends source text with CR LF and CR as LF (XML 1.0, 2.11), so that an encoding or an editor changes no string.
+void append_with_line_feeds(MappedText& text, std::string_view written, SourceId source, std::uint32_t begin);
+
+}  // namespace plugc

@@ -1,0 +1,373 @@
+// Recursive descent over the tokens of ClassicScanner, bounded by kMaxNesting.
+// Source: ISO/IEC 19776-2 (grammar in A.3), ISO/IEC 14772-1, annex A.
+//
+// Each mistake is reported once, where it stands. Then the nearest reading is taken (a missing `{` is assumed, a list
+// without `]` ends before what cannot belong to it) or tokens are skipped up to the next field or closing bracket.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+#include "document/classic_reader.h"
+#include "document/read_document.h"
+
+namespace plugc {
+namespace {
+
+std::optional<AccessType> access_type(std::string_view word) {
+  if (word == "inputOnly" || word == "eventIn") return AccessType::input_only;
+  if (word == "outputOnly" || word == "eventOut") return AccessType::output_only;
+  if (word == "initializeOnly" || word == "field") return AccessType::initialize_only;
+  if (word == "inputOutput" || word == "exposedField") return AccessType::input_output;
+  return std::nullopt;
+}
+
+bool looks_like_field_type(std::string_view word) {
+  return word.starts_with("SF") || word.starts_with("MF");
+}
+
+/// The words of the first line: `#X3D V3.2 utf8`.
+std::vector<std::string_view> header_words(std::string_view text) {
+  std::vector<std::string_view> words;
+  std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  while (words.size() < 3) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) break;
+    line.remove_prefix(begin);
+    words.push_back(line.substr(0, line.find_first_of(" \t")));
+    line.remove_prefix(words.back().size());
+  }
+  return words;
+}
+
+}  // namespace
+
+Document ClassicReader::read(std::string_view version, const Span& version_span) {
+  if (!version.empty()) set_version(build_, version, version_span);
+  const std::size_t mark = build_.statements.open();
+  read_statements(false);
+  build_.document.statements = build_.statements.close(mark, build_.document.statement_pool);
+  return std::move(build_.document);
+}
+
+// Mistakes
+
+/// Says nothing where the same token was unexpected before: that is one mistake.
+void ClassicReader::expected(std::string_view what) {
+  if (unexpected_at_ == scan_.offset()) return;
+  unexpected_at_ = scan_.offset();
+  end_was_reported_ |= scan_.at_end();
+  build_.mistake(scan_.next_span(), fmt::format("expected {}, found {}", what, scan_.describe_next()));
+}
+
+Name ClassicReader::expect_name(std::string_view what) {
+  if (!scan_.next_is(kWordStart)) {
+    expected(what);
+    return {};
+  }
+  return scan_.take_word();
+}
+
+/// `TO` between the ends of a ROUTE; where it was forgotten a name goes on.
+bool ClassicReader::expect_to() {
+  if (scan_.peek_word() == "TO") {
+    scan_.take_word();
+    return true;
+  }
+  expected("`TO`");
+  return scan_.next_is(kWordStart);
+}
+
+bool ClassicReader::expect_dot() {
+  if (scan_.take('.')) return true;
+  expected("`.`");
+  return false;
+}
+
+/// At the end of the text every open bracket lacks its other half; that is one mistake, told for the innermost.
+void ClassicReader::not_closed(const Span& span, std::string_view what) {
+  if (stopped() || end_was_reported_) return;
+  end_was_reported_ = scan_.at_end();
+  build_.mistake(span, fmt::format("{} is not closed before {}", what, scan_.describe_next()));
+}
+
+// Statements
+
+/// Up to the end of the text, or the closing brace (which stays).
+void ClassicReader::read_statements(bool inside_braces) {
+  bool skipping = false;
+  while (!stopped() && !scan_.at_end()) {
+    if (scan_.next_is(kWordStart)) {
+      skipping = false;
+      read_statement();
+    } else if (inside_braces && scan_.next() == '}') {
+      return;
+    } else {
+      if (!skipping && scan_.next() == '}') {
+        build_.mistake(scan_.next_span(), "`}` closes nothing here");
+      } else if (!skipping) {
+        expected("a node or a statement");
+      }
+      skipping = true;
+      scan_.skip_item();
+    }
+  }
+}
+
+void ClassicReader::read_statement() {
+  const std::string_view word = scan_.peek_word();
+  if (read_body_statement(word)) return;
+  if (word == "IMPORT") return read_import();
+  if (word == "EXPORT") return read_export();
+  if (word == "PROFILE") return skip_words(2);
+  if (word == "COMPONENT") return skip_words(2);
+  if (word == "META") return skip_meta();
+  if (word == "UNIT") return skip_unit();
+  if (auto node = read_node()) build_.add_statement(std::move(*node));
+}
+
+/// The statements that may also stand inside a node.
+bool ClassicReader::read_body_statement(std::string_view word) {
+  if (word == "ROUTE") {
+    read_route();
+  } else if (word == "PROTO") {
+    read_proto();
+  } else if (word == "EXTERNPROTO") {
+    read_externproto();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// The rest of the line in which an incomplete statement began, up to a bracket.
+void ClassicReader::skip_line(std::uint32_t begin) {
+  const std::string_view text = build_.sources.text(build_.document.source);
+  const std::size_t end = std::min(text.find('\n', begin), text.size());
+  while (scan_.offset() < end && std::string_view("[]{}").find(scan_.next()) == std::string_view::npos) scan_.skip_item();
+}
+
+void ClassicReader::skip_words(int count) {
+  for (int i = 0; i < count; ++i) expect_name("a name");
+}
+
+void ClassicReader::skip_meta() {
+  scan_.take_word();
+  for (int i = 0; i < 2; ++i) {
+    if (scan_.next() != '"') return expected("a string");
+    scan_.skip_item();
+  }
+}
+
+void ClassicReader::skip_unit() {
+  skip_words(3);
+  if (!scan_.next_is(kNumberStart)) return expected("a conversion factor");
+  scan_.skip_item();
+}
+
+void ClassicReader::read_route() {
+  RouteSyntax route;
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  const bool complete = !(route.from_node = expect_name("the name of a node")).empty() && expect_dot() &&
+                        !(route.from_field = expect_name("the name of a field")).empty() && expect_to() &&
+                        !(route.to_node = expect_name("the name of a node")).empty() && expect_dot() &&
+                        !(route.to_field = expect_name("the name of a field")).empty();
+  if (!complete) return skip_line(begin);
+  route.span = scan_.span_from(begin);
+  build_.add_statement(route);
+}
+
+void ClassicReader::read_import() {
+  ImportSyntax import;
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  const bool complete = !(import.inline_def = expect_name("the name of an Inline node")).empty() && expect_dot() &&
+                        !(import.name = expect_name("the name of a node")).empty();
+  if (!complete) return skip_line(begin);
+  import.alias = import.name;
+  if (scan_.peek_word() == "AS") {
+    scan_.take_word();
+    import.alias = expect_name("a name");
+  }
+  import.span = scan_.span_from(begin);
+  if (!import.alias.empty()) build_.add_statement(StatementKind::import, import);
+}
+
+void ClassicReader::read_export() {
+  ImportSyntax exported;
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  exported.name = exported.alias = expect_name("the name of a node");
+  if (scan_.peek_word() == "AS") {
+    scan_.take_word();
+    exported.alias = expect_name("a name");
+  }
+  exported.span = scan_.span_from(begin);
+  if (!exported.name.empty() && !exported.alias.empty()) build_.add_statement(StatementKind::export_, exported);
+}
+
+void ClassicReader::read_proto() {
+  ProtoSyntax proto;
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  proto.name = expect_name("the name of a prototype");
+  proto.interface = read_interfaces(proto.name, true);
+  const Span brace = scan_.next_span();
+  if (!scan_.take('{')) return expected("`{` and the body of the prototype");
+  if (depth_ >= kMaxNesting) {
+    build_.too_deep(proto.name.span);
+    while (!scan_.at_end() && scan_.next() != '}') scan_.skip_item();
+  }
+  ++depth_;
+  const std::size_t mark = build_.statements.open();
+  read_statements(true);
+  proto.body = build_.statements.close(mark, build_.document.statement_pool);
+  --depth_;
+  if (!scan_.take('}')) not_closed(brace, "`{`");
+  proto.span = scan_.span_from(begin);
+  if (!proto.name.empty()) build_.add_statement(StatementKind::proto, proto);
+}
+
+void ClassicReader::read_externproto() {
+  ProtoSyntax proto;
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  proto.name = expect_name("the name of a prototype");
+  proto.interface = read_interfaces(proto.name, false);
+  if (scan_.next() != '"' && scan_.next() != '[') return expected("the urls of the prototype");
+  const Span place = scan_.next_span();
+  const ValueSyntax urls = read_value(proto.name);
+  if (urls.kind != ValueKind::strings) return build_.mistake(place, "the urls of a prototype are strings");
+  proto.urls = urls.strings;
+  proto.span = scan_.span_from(begin);
+  if (!proto.name.empty()) build_.add_statement(StatementKind::externproto, proto);
+}
+
+// Nodes and interfaces
+
+/// `DEF name Type { ... }`, `Type { ... }` or `USE name`.
+std::optional<NodeSyntax> ClassicReader::read_node() {
+  NodeSyntax node;
+  const std::uint32_t begin = scan_.offset();
+  if (scan_.peek_word() == "USE") {
+    scan_.take_word();
+    node.use = expect_name("a name behind `USE`");
+    node.span = scan_.span_from(begin);
+    return node.use.empty() ? std::nullopt : std::optional(node);
+  }
+  if (scan_.peek_word() == "DEF") {
+    scan_.take_word();
+    node.def = expect_name("a name behind `DEF`");
+  }
+  node.type = expect_name("the type of a node");
+  if (node.type.empty()) return std::nullopt;
+  read_node_body(node);
+  node.span = scan_.span_from(begin);
+  return node;
+}
+
+/// A brace that was forgotten is assumed where a body can begin: `geometry Box size 1 1 1 }`.
+void ClassicReader::read_node_body(NodeSyntax& node) {
+  if (scan_.next() != '{') {
+    expected(fmt::format("`{{` behind `{}`", shown(node.type.text)));
+    if (!looks_like_node_type(node.type.text) || !scan_.next_is(kWordStart)) return;
+  } else if (depth_ >= kMaxNesting) {
+    build_.too_deep(node.type.span);
+    return scan_.skip_item();
+  }
+  scan_.take('{');
+  ++depth_;
+  const OpenBody body = build_.open_body();
+  while (!stopped() && !scan_.at_end() && scan_.next() != '}') read_body_item();
+  build_.close_body(body, node);
+  --depth_;
+  if (!scan_.take('}')) not_closed(node.type.span, fmt::format("`{}`", shown(node.type.text)));
+}
+
+void ClassicReader::read_body_item() {
+  AccessType access{};
+  if (!scan_.next_is(kWordStart)) {
+    expected("the name of a field or `}`");
+    while (!scan_.at_end() && !scan_.next_is(kWordStart) && scan_.next() != '}') scan_.skip_item();
+  } else if (access_word_is_next(access)) {
+    read_interface(access, true);
+  } else if (!read_body_statement(scan_.peek_word())) {
+    read_field();
+  }
+}
+
+/// A node may have a field of its own named `field`, so the word counts only before a type.
+bool ClassicReader::access_word_is_next(AccessType& access) const {
+  const auto found = access_type(scan_.peek_word());
+  if (!found) return false;
+  access = *found;
+  ClassicScanner ahead = scan_;
+  ahead.take_word();
+  return looks_like_field_type(ahead.peek_word());
+}
+
+void ClassicReader::read_field() {
+  FieldSyntax field;
+  field.name = scan_.take_word();
+  field.value = read_value(field.name);
+  build_.add_field(field, field.name.span);
+}
+
+void ClassicReader::read_interface(AccessType access, bool default_allowed) {
+  InterfaceSyntax field;
+  const std::uint32_t begin = scan_.offset();
+  field.access = access;
+  scan_.take_word();
+  field.type = expect_name("the type of a field");
+  if (field.type.empty()) return;
+  field.name = expect_name("the name of a field");
+  if (field.name.empty()) return;
+  const bool has_default = access == AccessType::initialize_only || access == AccessType::input_output;
+  if (scan_.peek_word() == "IS") {
+    read_is(field.value);
+  } else if (has_default && default_allowed) {
+    field.value = read_value(field.name);
+  }
+  field.span = scan_.span_from(begin);
+  build_.add_interface(field);
+}
+
+/// `[ inputOnly SFTime start, ... ]` of a PROTO or an EXTERNPROTO.
+Range<InterfaceSyntax> ClassicReader::read_interfaces(const Name& proto, bool defaults_allowed) {
+  const std::size_t mark = build_.interfaces.open();
+  const Span bracket = scan_.next_span();
+  if (!scan_.take('[')) {
+    expected(fmt::format("`[` and the interface of `{}`", shown(proto.text)));
+    return {};
+  }
+  bool skipping = false;
+  while (!stopped() && !scan_.at_end() && scan_.next() != ']' && scan_.next() != '}') {
+    if (const auto access = access_type(scan_.peek_word())) {
+      skipping = false;
+      read_interface(*access, defaults_allowed);
+    } else {
+      if (!skipping) expected("an access type such as `inputOutput`, or `]`");
+      skipping = true;
+      scan_.skip_item();
+    }
+  }
+  if (!scan_.take(']')) not_closed(bracket, "`[`");
+  return build_.interfaces.close(mark, build_.document.interfaces);
+}
+
+Document read_classic(SourceId source, const SourceSet& sources, Diagnostics& diagnostics) {
+  const std::string_view text = sources.text(source);
+  const std::size_t bom = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  const auto words = header_words(text.substr(bom));
+  const bool vrml = !words.empty() && words[0] == "#VRML";
+  const bool x3d = !words.empty() && words[0] == "#X3D";
+  ClassicReader reader(source, vrml ? Encoding::vrml2 : Encoding::classic, sources, diagnostics);
+  if ((!vrml && !x3d) || words.size() < 2) return reader.read("", {});
+  const auto begin = static_cast<std::uint32_t>(words[1].data() - text.data());
+  const std::string_view version = words[1].substr(words[1].starts_with('V') ? 1 : 0);
+  return reader.read(version, {source, begin, begin + static_cast<std::uint32_t>(words[1].size())});
+}
+
+}  // namespace plugc

@@ -1,0 +1,29 @@
+#pragma once
+// What the decoders share. Each fills an Image from bytes, or says in one clause what is wrong with them.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "image/image.h"
+
+namespace plugc {
+
+/// An image, or why there is none.
+struct DecodedImage {
+  std::optional<Image> image;
+  std::string problem;
+};
+
+DecodedImage decode_png(std::string_view bytes);
+DecodedImage decode_jpeg(std::string_view bytes);
+
+/// Why an image of this size must not be allocated for a file of `file_bytes`, or "". No encoder packs pixels so tightly
+/// that a few bytes could stand for gigabytes, so a file that says so is broken or hostile.
+std::string size_problem(std::size_t width, std::size_t height, std::size_t channels, std::size_t file_bytes);
+
+/// Gives the image its size and zeroed pixels.
+void allocate(Image& image, std::size_t width, std::size_t height, std::size_t channels);
+
+}  // namespace plugc

@@ -1,0 +1,158 @@
+// Faces to triangles. Corners with the same four indices become one vertex (found by an open-addressing table over all corners).
+// Convex faces and triangles are fans around their first corner; the others are projected along their normal and ear-clipped.
+// Texture units that the node leaves out get the default for the coordinate.
+
+#include "mesh/face_set.h"
+
+#include <bit>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+#include "mesh/box_texture.h"
+#include "mesh/triangulate.h"
+
+namespace plugc {
+
+namespace {
+
+// Gives each different corner a number, in the order of first appearance.
+class CornerTable {
+ public:
+  explicit CornerTable(std::size_t corners) : slots_(std::bit_ceil(corners * 2 + 1), kNoIndex) {}
+
+  std::uint32_t find_or_add(const Corner& corner) {
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t slot = hash(corner) & mask;; slot = (slot + 1) & mask) {
+      if (slots_[slot] == kNoIndex) {
+        slots_[slot] = static_cast<std::uint32_t>(vertices.size());
+        vertices.push_back(corner);
+        return slots_[slot];
+      }
+      if (vertices[slots_[slot]] == corner) return slots_[slot];
+    }
+  }
+
+  std::vector<Corner> vertices;
+
+ private:
+  static std::size_t hash(const Corner& corner) {
+    std::uint64_t h = 0;
+    for (const std::uint32_t part : {corner.coord, corner.normal, corner.color, corner.tex}) {
+      h = (h ^ part) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 29;
+    }
+    return h;
+  }
+
+  std::vector<std::uint32_t> slots_;
+};
+
+// Two axes of the plane across `normal`, such that counter-clockwise stays so for who looks against the normal.
+std::vector<glm::dvec2> project(const FaceSet& faces, std::span<const Corner> face, const glm::dvec3& normal) {
+  const glm::dvec3 helper = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(helper, normal));
+  const glm::dvec3 up = glm::cross(normal, right);
+  const glm::dvec3 origin = faces.coords[face[0].coord];
+  std::vector<glm::dvec2> points;
+  points.reserve(face.size());
+  for (const Corner& corner : face) {
+    const glm::dvec3 p = glm::dvec3(faces.coords[corner.coord]) - origin;
+    points.push_back({glm::dot(p, right), glm::dot(p, up)});
+  }
+  return points;
+}
+
+class FaceTriangulator {
+ public:
+  FaceTriangulator(const FaceSet& faces, std::span<const glm::vec3> of_faces, const GeometrySource& source)
+      : faces_(faces), of_faces_(of_faces), source_(source), table_(faces.corners.size()) {}
+
+  void add_all() {
+    for (std::size_t face = 0; face < faces_.face_count(); ++face) add(face);
+  }
+
+  std::vector<std::uint32_t> indices;
+  const std::vector<Corner>& vertices() const { return table_.vertices; }
+
+ private:
+  void add(std::size_t index) {
+    const std::span<const Corner> face = faces_.face(index);
+    vertex_.clear();
+    for (const Corner& corner : face) vertex_.push_back(table_.find_or_add(corner));
+    if (faces_.convex || face.size() == 3 || !add_clipped(face, of_faces_[index])) add_fan();
+  }
+
+  void add_fan() {
+    for (std::size_t i = 1; i + 1 < vertex_.size(); ++i)
+      indices.insert(indices.end(), {vertex_[0], vertex_[i], vertex_[i + 1]});
+  }
+
+  bool add_clipped(std::span<const Corner> face, const glm::vec3& normal) {
+    if (face.size() > kMaxPolygonCorners) {
+      source_.report(DiagnosticId::geometry_limit,
+                     fmt::format("a face has {} corners; plugc cuts up to {} into triangles and takes "
+                                 "larger ones as convex",
+                                 face.size(), kMaxPolygonCorners));
+      return false;
+    }
+    const auto count = static_cast<std::uint32_t>(face.size());
+    const glm::dvec3 as_written = faces_.ccw ? normal : -normal;  // corners run counter-clockwise around this one
+    for (const std::uint32_t i : triangulate(project(faces_, face, as_written), {&count, 1})) indices.push_back(vertex_[i]);
+    return true;
+  }
+
+  const FaceSet& faces_;
+  std::span<const glm::vec3> of_faces_;
+  const GeometrySource& source_;
+  CornerTable table_;
+  std::vector<std::uint32_t> vertex_;  // of the face at hand
+};
+
+// Box texture over the coordinates that faces use; those that none uses must not stretch it.
+std::vector<glm::vec4> default_tex_of(const FaceSet& faces, std::span<const glm::vec3> vertex_positions,
+                                      std::span<const Corner> vertices) {
+  if (faces.default_tex.empty()) return box_texture(vertex_positions);
+  std::vector<glm::vec4> result;
+  for (const Corner& vertex : vertices) result.push_back(faces.default_tex[vertex.coord]);
+  return result;
+}
+
+void fill_tex_coords(Mesh& mesh, const FaceSet& faces, std::span<const Corner> vertices) {
+  mesh.tex_coords.resize(std::max<std::size_t>(faces.tex_units.size(), 1));
+  for (std::size_t unit = 0; unit < mesh.tex_coords.size(); ++unit) {
+    if (unit >= faces.tex_units.size() || faces.tex_units[unit].empty()) {
+      mesh.tex_coords[unit] = default_tex_of(faces, mesh.positions, vertices);
+      continue;
+    }
+    mesh.tex_coords[unit].reserve(vertices.size());
+    for (const Corner& vertex : vertices) mesh.tex_coords[unit].push_back(faces.tex_units[unit][vertex.tex]);
+  }
+}
+
+}  // namespace
+
+std::optional<Mesh> mesh_of_faces(FaceSet faces, const GeometrySource& source) {
+  const std::vector<glm::vec3> of_faces = face_normals(faces);
+  if (faces.normals.empty()) generate_normals(faces, of_faces);
+  FaceTriangulator triangulator(faces, of_faces, source);
+  triangulator.add_all();
+
+  Mesh mesh;
+  mesh.indices = std::move(triangulator.indices);
+  mesh.solid = faces.solid;
+  mesh.ccw = faces.ccw;
+  mesh.colors_have_alpha = faces.colors_have_alpha;
+  mesh.positions.reserve(triangulator.vertices().size());
+  mesh.normals.reserve(triangulator.vertices().size());
+  for (const Corner& vertex : triangulator.vertices()) {
+    mesh.positions.push_back(faces.coords[vertex.coord]);
+    mesh.normals.push_back(faces.normals[vertex.normal]);
+    if (!faces.colors.empty()) mesh.colors.push_back(faces.colors[vertex.color]);
+  }
+  fill_tex_coords(mesh, faces, triangulator.vertices());
+  return mesh;
+}
+
+}  // namespace plugc

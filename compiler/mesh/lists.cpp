@@ -1,0 +1,78 @@
+// Numbers come as doubles, so many an element; vectors of floats leave. The type of the child decides how many numbers make one
+// element and what the missing components are.
+
+#include "mesh/lists.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace plugc {
+
+namespace {
+
+// Elements of N numbers; a rest that makes no whole element is dropped.
+template <int N>
+std::vector<glm::vec<N, float>> vectors(std::span<const double> numbers) {
+  std::vector<glm::vec<N, float>> result(numbers.size() / N);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (int c = 0; c < N; ++c) result[i][c] = static_cast<float>(numbers[i * N + static_cast<std::size_t>(c)]);
+  return result;
+}
+
+// Elements of N numbers with the rest taken from `missing`.
+template <int N>
+std::vector<glm::vec4> padded(std::span<const double> numbers, const glm::vec4& missing) {
+  std::vector<glm::vec4> result(numbers.size() / N, missing);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (int c = 0; c < N; ++c) result[i][c] = static_cast<float>(numbers[i * N + static_cast<std::size_t>(c)]);
+  return result;
+}
+
+std::vector<glm::vec4> read_tex_unit(const NodeGraph& graph, NodeId node) {
+  const glm::vec4 missing{0, 0, 0, 1};
+  if (graph.is(node, "TextureCoordinate")) return padded<2>(graph.field(node, "point").numbers, missing);
+  if (graph.is(node, "TextureCoordinate3D")) return padded<3>(graph.field(node, "point").numbers, missing);
+  if (graph.is(node, "TextureCoordinate4D")) return padded<4>(graph.field(node, "point").numbers, missing);
+  return {};
+}
+
+}  // namespace
+
+std::vector<glm::vec3> read_coords(const GeometrySource& source) {
+  const NodeId coord = source.graph.child(source.node, "coord");
+  if (!coord.valid()) return {};
+  if (source.graph.is(coord, "Coordinate") || source.graph.is(coord, "CoordinateDouble"))
+    return vectors<3>(source.graph.field(coord, "point").numbers);
+  source.report(DiagnosticId::not_drawn, "coord",
+                fmt::format("plugc does not place the coordinates of `{}`; use `Coordinate`", source.graph[coord].info->name));
+  return {};
+}
+
+std::vector<glm::vec3> read_normals(const GeometrySource& source) {
+  const NodeId normal = source.graph.child(source.node, "normal");
+  if (!source.graph.is(normal, "Normal")) return {};
+  std::vector<glm::vec3> normals = vectors<3>(source.graph.field(normal, "vector").numbers);
+  for (glm::vec3& vector : normals) {
+    const float length = glm::length(vector);
+    vector = length > 0 && std::isfinite(length) ? vector / length : glm::vec3(0, 0, 1);
+  }
+  return normals;
+}
+
+ColorList read_colors(const GeometrySource& source) {
+  const NodeId color = source.graph.child(source.node, "color");
+  if (source.graph.is(color, "Color")) return {padded<3>(source.graph.field(color, "color").numbers, glm::vec4(1)), false};
+  if (source.graph.is(color, "ColorRGBA")) return {padded<4>(source.graph.field(color, "color").numbers, glm::vec4(1)), true};
+  return {};
+}
+
+std::vector<std::vector<glm::vec4>> read_tex_units(const GeometrySource& source) {
+  const NodeId tex_coord = source.graph.child(source.node, "texCoord");
+  if (!source.graph.is(tex_coord, "MultiTextureCoordinate")) return {read_tex_unit(source.graph, tex_coord)};
+  std::vector<std::vector<glm::vec4>> units;
+  for (const NodeId unit : source.graph.children(tex_coord, "texCoord")) units.push_back(read_tex_unit(source.graph, unit));
+  return units;
+}
+
+}  // namespace plugc

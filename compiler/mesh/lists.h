@@ -1,0 +1,26 @@
+#pragma once
+// The lists that Coordinate, Normal, Color and TextureCoordinate nodes hold, as vectors.
+
+#include <vector>
+
+#include "mesh/geometry.h"
+
+namespace plugc {
+
+/// The node's `coord`; empty (and reported) when it is of a type that plugc cannot place.
+std::vector<glm::vec3> read_coords(const GeometrySource& source);
+
+/// The node's `normal`, made unit length; empty without one.
+std::vector<glm::vec3> read_normals(const GeometrySource& source);
+
+/// The node's `color`, with alpha 1 where it has none; empty without one.
+struct ColorList {
+  std::vector<glm::vec4> colors;
+  bool have_alpha = false;
+};
+ColorList read_colors(const GeometrySource& source);
+
+/// The node's `texCoord`, one list a unit. The list of a unit that is NULL or generated is empty.
+std::vector<std::vector<glm::vec4>> read_tex_units(const GeometrySource& source);
+
+}  // namespace plugc

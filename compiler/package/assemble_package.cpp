@@ -1,0 +1,228 @@
+// Scene by scene: first the shared things (programs, images, meshes), each looked up by content, then the scene's own lists,
+// which map one to one, then its shapes with their bindings.
+
+#include "package/assemble_package.h"
+
+#include <algorithm>
+#include <map>
+
+#include "package/pack_geometry.h"
+#include "package/pack_program.h"
+
+namespace plugc {
+namespace {
+
+constexpr std::uint32_t kNothing = UINT32_MAX;
+
+class Assembler {
+ public:
+  Assembler(const SourceSet& sources, std::string generator) : sources_(sources, package_.sources) {
+    package_.generator = std::move(generator);
+  }
+  void add_scene(SceneParts& parts);
+  PackageT take() { return std::move(package_); }
+
+ private:
+  std::uint32_t add_program(const ValidRecipe& recipe, const std::string& name);
+  std::uint32_t add_image(const std::shared_ptr<const Image>& image);
+  std::uint32_t add_texture(const SceneTexture& texture, const std::shared_ptr<const Image>& image);
+  std::map<const Mesh*, std::uint32_t> add_meshes(const SceneParts& parts);
+  std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t index, const std::map<const Mesh*, std::uint32_t>& meshes,
+                                           const std::vector<std::uint32_t>& programs, const std::vector<std::uint32_t>& textures);
+
+  PackageT package_;
+  SourceList sources_;
+  std::map<std::string, std::uint32_t> programs_;               // by content
+  std::map<const Image*, std::uint32_t> images_;
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;  // by image and wrapping
+};
+
+std::uint32_t Assembler::add_program(const ValidRecipe& recipe, const std::string& name) {
+  if (recipe.targets.empty()) return kNothing;
+  const auto [found, added] = programs_.try_emplace(program_content(recipe), static_cast<std::uint32_t>(package_.programs.size()));
+  if (added) package_.programs.push_back(pack_program(recipe, name, sources_));
+  return found->second;
+}
+
+std::uint32_t Assembler::add_image(const std::shared_ptr<const Image>& image) {
+  if (const auto found = images_.find(image.get()); found != images_.end()) return found->second;
+  const auto same = std::find_if(package_.images.begin(), package_.images.end(), [&](const auto& packed) {
+    return packed->width == image->width && packed->height == image->height && packed->channels == image->channels &&
+           packed->pixels == image->pixels;
+  });
+  const auto index = static_cast<std::uint32_t>(same - package_.images.begin());
+  if (same == package_.images.end()) package_.images.push_back(pack_image(*image));
+  return images_[image.get()] = index;
+}
+
+std::uint32_t Assembler::add_texture(const SceneTexture& texture, const std::shared_ptr<const Image>& image) {
+  if (image == nullptr) return kNothing;
+  auto packed = std::make_unique<PackedTextureT>();
+  packed->image = add_image(image);
+  packed->wrap_s = static_cast<PackedWrap>(texture.wrap_s);
+  packed->wrap_t = static_cast<PackedWrap>(texture.wrap_t);
+  const int wraps = static_cast<int>(texture.wrap_s) * 4 + static_cast<int>(texture.wrap_t);
+  const auto [found, added] = textures_.try_emplace({packed->image, wraps}, static_cast<std::uint32_t>(package_.textures.size()));
+  if (added) package_.textures.push_back(std::move(packed));
+  return found->second;
+}
+
+std::map<const Mesh*, std::uint32_t> Assembler::add_meshes(const SceneParts& parts) {
+  std::map<const Mesh*, std::uint32_t> units;
+  for (const ShapePlan& plan : parts.shapes) {
+    if (plan.mesh == nullptr || plan.program < 0) continue;
+    std::uint32_t& needed = units[plan.mesh.get()];
+    const ValidRecipe& program = parts.programs[static_cast<std::size_t>(plan.program)];
+    for (const TargetProgram& target : program.targets) {
+      for (const ReflectedVariable& attribute : target.program.attributes()) {
+        if (attribute.name.starts_with("castle_MultiTexCoord")) ++needed;
+      }
+    }
+  }
+  std::map<const Mesh*, std::uint32_t> indices;
+  for (const ShapePlan& plan : parts.shapes) {  // in the order of the shapes, so that the bytes do not depend on addresses
+    if (!units.contains(plan.mesh.get()) || indices.contains(plan.mesh.get())) continue;
+    indices[plan.mesh.get()] = static_cast<std::uint32_t>(package_.meshes.size());
+    package_.meshes.push_back(pack_mesh(*plan.mesh, units[plan.mesh.get()]));
+  }
+  return indices;
+}
+
+void pack_slots(const Scene& scene, PackedSceneT& packed) {
+  for (std::size_t i = 0; i < scene.slots.size(); ++i) {
+    const Slot& slot = scene.slots[i];
+    packed.slots.emplace_back(static_cast<std::uint32_t>(packed.slot_values.size()), slot.count, static_cast<PackedValueType>(slot.type));
+    packed.slot_values.insert(packed.slot_values.end(), slot.values.begin(), slot.values.end());
+    if (slot.name.empty()) continue;
+    auto name = std::make_unique<PackedSlotNameT>();
+    name->slot = static_cast<std::uint32_t>(i);
+    name->name = slot.name;
+    packed.slot_names.push_back(std::move(name));
+  }
+}
+
+void pack_transforms(const Scene& scene, PackedSceneT& packed) {
+  for (const SceneTransform& t : scene.transforms) {
+    packed.transforms.emplace_back(t.parent, t.translation, t.rotation, t.scale, t.scale_orientation, t.center, t.switch_slot, t.choice);
+  }
+  for (const SceneTextureTransform& t : scene.texture_transforms) {
+    packed.texture_transforms.emplace_back(t.translation, t.rotation, t.scale, t.center);
+  }
+}
+
+std::unique_ptr<PackedLightT> pack_light(const SceneLight& light) {
+  auto packed = std::make_unique<PackedLightT>();
+  packed->kind = static_cast<PackedLightKind>(light.kind);
+  packed->headlight = light.headlight;
+  packed->transform = light.transform;
+  packed->on = light.on;
+  packed->color = light.color;
+  packed->intensity = light.intensity;
+  packed->ambient_intensity = light.ambient_intensity;
+  packed->location = light.location;
+  packed->direction = light.direction;
+  packed->attenuation = light.attenuation;
+  packed->radius = light.radius;
+  packed->cut_off_angle = light.cut_off_angle;
+  packed->beam_width = light.beam_width;
+  packed->name = light.label;
+  return packed;
+}
+
+std::unique_ptr<PackedShadowMapT> pack_shadow_map(const SceneShadowMap& map) {
+  auto packed = std::make_unique<PackedShadowMapT>();
+  packed->light = static_cast<std::uint32_t>(map.light);
+  packed->size = map.size;
+  packed->update = static_cast<PackedShadowUpdate>(map.update);
+  packed->scale = map.scale;
+  packed->bias = map.bias;
+  packed->near = map.near;
+  packed->far = map.far;
+  packed->up = map.up;
+  packed->angle = map.angle;
+  packed->rectangle = map.rectangle;
+  packed->location = map.location;
+  return packed;
+}
+
+std::unique_ptr<PackedViewpointT> pack_viewpoint(const SceneViewpoint& viewpoint) {
+  auto packed = std::make_unique<PackedViewpointT>();
+  packed->name = viewpoint.name;
+  packed->description = viewpoint.description;
+  packed->transform = viewpoint.transform;
+  packed->orthographic = viewpoint.orthographic;
+  packed->position = viewpoint.position;
+  packed->orientation = viewpoint.orientation;
+  packed->field_of_view = viewpoint.field_of_view;
+  return packed;
+}
+
+/// Whether the shape's vertices may lie elsewhere than its mesh says.
+bool has_known_bounds(const Recipe& recipe, const ValidRecipe& program) {
+  const auto& filled = program.targets.front().composed.plugs_filled;
+  return recipe.shader < 0 && std::find(filled.begin(), filled.end(), "vertex_object_space_change") == filled.end();
+}
+
+std::unique_ptr<PackedShapeT> Assembler::pack_shape(const SceneParts& parts, std::size_t index,
+                                                    const std::map<const Mesh*, std::uint32_t>& meshes,
+                                                    const std::vector<std::uint32_t>& programs, const std::vector<std::uint32_t>& textures) {
+  const SceneShape& shape = parts.scene.shapes[index];
+  const ShapePlan& plan = parts.shapes[index];
+  const ValidRecipe& program = parts.programs[static_cast<std::size_t>(plan.program)];
+  const BindingContext context{parts.scene, shape, textures};
+  auto packed = std::make_unique<PackedShapeT>();
+  packed->name = shape.name;
+  packed->transform = shape.transform;
+  packed->mesh = meshes.at(plan.mesh.get());
+  packed->program = programs[static_cast<std::size_t>(plan.program)];
+  packed->bindings = pack_bindings(program, context);
+  if (plan.depth_program >= 0 && programs[static_cast<std::size_t>(plan.depth_program)] != kNothing) {
+    packed->depth_program = static_cast<int>(programs[static_cast<std::size_t>(plan.depth_program)]);
+    packed->depth_bindings = pack_bindings(parts.programs[static_cast<std::size_t>(plan.depth_program)], context);
+  }
+  packed->cull_back = plan.mesh->solid;
+  packed->front_cw = !plan.mesh->ccw;
+  packed->wireframe = shape.shading == Shading::wireframe;
+  packed->blended = plan.blended;
+  packed->blend_source = static_cast<PackedBlendFactor>(shape.blend.source);
+  packed->blend_destination = static_cast<PackedBlendFactor>(shape.blend.destination);
+  packed->bounds_known = has_known_bounds(program.used, program);
+  for (const int light : shape.receives) {
+    packed->receives.push_back(static_cast<std::uint32_t>(parts.scene.lights[static_cast<std::size_t>(light)].shadow_map));
+  }
+  return packed;
+}
+
+void Assembler::add_scene(SceneParts& parts) {
+  const Scene& scene = parts.scene;
+  auto packed = std::make_unique<PackedSceneT>();
+  packed->name = scene.name;
+  packed->background_color = scene.background_color;
+  pack_slots(scene, *packed);
+  pack_transforms(scene, *packed);
+  for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
+  for (const SceneShadowMap& map : scene.shadow_maps) packed->shadow_maps.push_back(pack_shadow_map(map));
+  for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
+
+  std::vector<std::uint32_t> programs;
+  for (std::size_t i = 0; i < parts.programs.size(); ++i) programs.push_back(add_program(parts.programs[i], parts.program_names[i]));
+  std::vector<std::uint32_t> textures;
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) textures.push_back(add_texture(scene.textures[i], parts.images[i]));
+  const auto meshes = add_meshes(parts);
+  for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
+    const ShapePlan& plan = parts.shapes[i];
+    const bool drawn = plan.mesh != nullptr && plan.program >= 0 && programs[static_cast<std::size_t>(plan.program)] != kNothing;
+    if (drawn) packed->shapes.push_back(pack_shape(parts, i, meshes, programs, textures));
+  }
+  package_.scenes.push_back(std::move(packed));
+}
+
+}  // namespace
+
+PackageT assemble_package(std::vector<SceneParts> scenes, const SourceSet& sources, std::string generator) {
+  Assembler assembler(sources, std::move(generator));
+  for (SceneParts& scene : scenes) assembler.add_scene(scene);
+  return assembler.take();
+}
+
+}  // namespace plugc

@@ -1,0 +1,37 @@
+#pragma once
+// From what the other rooms made to the package: the last step of a compilation.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "mesh/mesh.h"
+#include "package/package_file.h"
+#include "scene/scene.h"
+#include "validate/validate_recipes.h"
+
+namespace plugc {
+
+/// How a shape is drawn: what the recipe does not say.
+struct ShapePlan {
+  std::shared_ptr<const Mesh> mesh;   ///< Null: the shape is not drawn. Shapes with one geometry share it.
+  int program = -1;                   ///< Into SceneParts::programs; -1: not drawn.
+  int depth_program = -1;             ///< -1: casts no shadow.
+  bool blended = false;
+};
+
+/// One scene, ready to be packed.
+struct SceneParts {
+  Scene scene;
+  std::vector<std::shared_ptr<const Image>> images;  ///< By texture of the scene.
+  std::vector<ShapePlan> shapes;                     ///< By shape of the scene.
+  std::vector<ValidRecipe> programs;
+  std::vector<std::string> program_names;            ///< By program: its recipe as text.
+};
+
+/// Programs, meshes and images that are equal byte for byte are stored once, whichever scene they come from.
+PackageT assemble_package(std::vector<SceneParts> scenes, const SourceSet& sources, std::string generator);
+
+}  // namespace plugc

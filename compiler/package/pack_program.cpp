@@ -1,0 +1,241 @@
+// A program's uniforms are those that reflection found active. Each is fed by the field that composing noted for it, else by
+// what its castle_ name means for this shape: the second light of its list, its material, the camera.
+
+#include "package/pack_program.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "compose/castle_names.h"
+#include "compose/check_fields.h"
+
+namespace plugc {
+namespace {
+
+constexpr std::uint32_t kNothing = UINT32_MAX;
+
+PackedUniformType pack_type(std::string_view type) {
+  static const std::map<std::string_view, PackedUniformType> kTypes = {
+      {"bool", PackedUniformType::bool_}, {"int", PackedUniformType::int_}, {"float", PackedUniformType::float_},
+      {"vec2", PackedUniformType::vec2}, {"vec3", PackedUniformType::vec3}, {"vec4", PackedUniformType::vec4},
+      {"ivec2", PackedUniformType::ivec2}, {"ivec3", PackedUniformType::ivec3}, {"ivec4", PackedUniformType::ivec4},
+      {"mat3", PackedUniformType::mat3}, {"mat4", PackedUniformType::mat4},
+      {"sampler2D", PackedUniformType::sampler2D}, {"sampler3D", PackedUniformType::sampler3D},
+      {"samplerCube", PackedUniformType::samplerCube}, {"sampler2DShadow", PackedUniformType::sampler2DShadow},
+      {"samplerCubeShadow", PackedUniformType::samplerCubeShadow}};
+  const auto found = kTypes.find(type);
+  return found == kTypes.end() ? PackedUniformType::float_ : found->second;
+}
+
+std::unique_ptr<PackedAttributeT> pack_attribute(const ReflectedVariable& variable) {
+  auto attribute = std::make_unique<PackedAttributeT>();
+  attribute->name = variable.name;
+  attribute->semantic = PackedSemantic::custom;
+  if (variable.name == "castle_Vertex") attribute->semantic = PackedSemantic::position;
+  if (variable.name == "castle_Normal") attribute->semantic = PackedSemantic::normal;
+  if (variable.name == "castle_ColorPerVertex") attribute->semantic = PackedSemantic::color;
+  if (variable.name == "castle_Tangent") attribute->semantic = PackedSemantic::tangent;
+  if (variable.name.starts_with("castle_MultiTexCoord")) {
+    attribute->semantic = PackedSemantic::tex_coord;
+    attribute->unit = static_cast<std::uint8_t>(std::max(find_castle_name(variable.name).value_or(CastleName{}).number, 0));
+  }
+  return attribute;
+}
+
+std::unique_ptr<PackedTargetProgramT> pack_target(const ValidatedProgram& program, SourceList& sources) {
+  auto packed = std::make_unique<PackedTargetProgramT>();
+  packed->target = static_cast<PackedTarget>(program.target());
+  for (std::size_t i = 0; i < program.stages().size(); ++i) {
+    auto stage = std::make_unique<PackedStageT>();
+    stage->kind = static_cast<PackedStageKind>(program.stages()[i].stage);
+    stage->text = program.stages()[i].text.text();
+    stage->origins = sources.origins(program.stages()[i].text);
+    if (i < program.spirv().size()) stage->spirv = program.spirv()[i];
+    packed->stages.push_back(std::move(stage));
+  }
+  return packed;
+}
+
+class Binder {
+ public:
+  Binder(const ValidRecipe& recipe, const BindingContext& context) : recipe_(recipe), c_(context) {
+    if (context.shape.material >= 0) material_ = context.scene.materials[static_cast<std::size_t>(context.shape.material)];
+  }
+  std::vector<PackedBinding> bind();
+
+ private:
+  void bind_uniform(std::uint32_t index, const ReflectedVariable& uniform);
+  void bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& field);
+  void bind_castle(std::uint32_t index, const CastleName& name);
+  void bind_light(std::uint32_t index, PackedSource source, int number);
+  void bind_shadow(std::uint32_t index, PackedSource source, int number);
+  void bind_material(std::uint32_t index, CastleSource source);
+  void bind_texture(std::uint32_t index, int texture);
+  void add(std::uint32_t index, PackedSource source, std::uint32_t a = 0, std::uint32_t b = 0, float scale = 1) {
+    bindings_.emplace_back(index, a, b, scale, source);
+  }
+  const SceneLight* light(int number) const {
+    if (number < 0 || static_cast<std::size_t>(number) >= c_.shape.lights.size()) return nullptr;
+    return &c_.scene.lights[static_cast<std::size_t>(c_.shape.lights[static_cast<std::size_t>(number)])];
+  }
+
+  const ValidRecipe& recipe_;
+  const BindingContext& c_;
+  SceneMaterial material_;
+  std::vector<PackedBinding> bindings_;
+};
+
+void Binder::bind_texture(std::uint32_t index, int texture) {
+  if (texture < 0) return;
+  const std::uint32_t packed = c_.package_textures[static_cast<std::size_t>(texture)];
+  if (packed != kNothing) add(index, PackedSource::texture, packed);
+}
+
+void Binder::bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& fed) {
+  const bool sampler = uniform.type.find("sampler") != std::string::npos;
+  if (fed.field < 0) {
+    // a sampler that nothing feeds sees unit 0, as an unset sampler uniform does in OpenGL
+    if (sampler && fed.of_shader && !c_.shape.textures.empty()) bind_texture(index, c_.shape.textures.front().texture);
+    return;
+  }
+  const auto& owners = fed.of_shader ? c_.scene.shaders : c_.scene.effects;
+  const ShaderField& field = owners[static_cast<std::size_t>(fed.owner)].fields[static_cast<std::size_t>(fed.field)];
+  if (!feeds(field, uniform.type)) return;  // reported by check_fields
+  if (sampler) {
+    if (!field.textures.empty()) bind_texture(index, field.textures.front());
+  } else if (field.slot != kSceneNoSlot) {
+    add(index, PackedSource::slot, field.slot);
+  }
+}
+
+void Binder::bind_light(std::uint32_t index, PackedSource source, int number) {
+  if (light(number) != nullptr) add(index, source, static_cast<std::uint32_t>(c_.shape.lights[static_cast<std::size_t>(number)]));
+}
+
+void Binder::bind_shadow(std::uint32_t index, PackedSource source, int number) {
+  const SceneLight* found = light(number);
+  if (found != nullptr && found->shadow_map >= 0) add(index, source, static_cast<std::uint32_t>(found->shadow_map));
+}
+
+void Binder::bind_material(std::uint32_t index, CastleSource source) {
+  const auto slot = [&](std::uint32_t which) {
+    if (which != kSceneNoSlot) add(index, PackedSource::slot, which);
+  };
+  switch (source) {
+    case CastleSource::material_diffuse_alpha: return add(index, PackedSource::color_and_transparency, material_.diffuse, material_.transparency);
+    case CastleSource::unlit_color: return add(index, PackedSource::color_and_transparency, material_.emissive, material_.transparency);
+    case CastleSource::material_ambient: return add(index, PackedSource::slot_product, material_.diffuse, material_.ambient);
+    case CastleSource::material_specular: return slot(material_.specular);
+    case CastleSource::material_emissive: return slot(material_.emissive);
+    case CastleSource::material_shininess:
+      if (material_.shininess != kSceneNoSlot) add(index, PackedSource::slot_scaled, material_.shininess, 0, 128);
+      return;
+    default: return;
+  }
+}
+
+void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
+  const auto textures = c_.shape.textures;
+  const bool has_texture = name.number >= 0 && static_cast<std::size_t>(name.number) < textures.size();
+  const TextureUse use = has_texture ? textures[static_cast<std::size_t>(name.number)] : TextureUse();
+  switch (name.source) {
+    case CastleSource::model_view_matrix: return add(index, PackedSource::model_view_matrix);
+    case CastleSource::projection_matrix: return add(index, PackedSource::projection_matrix);
+    case CastleSource::normal_matrix: return add(index, PackedSource::normal_matrix);
+    case CastleSource::camera_matrix: return add(index, PackedSource::camera_matrix);
+    case CastleSource::camera_inverse_matrix: return add(index, PackedSource::camera_inverse_matrix);
+    case CastleSource::camera_rotation_matrix: return add(index, PackedSource::camera_rotation_matrix);
+    case CastleSource::camera_rotation_inverse_matrix: return add(index, PackedSource::camera_rotation_inverse_matrix);
+    case CastleSource::light_position: return bind_light(index, PackedSource::light_position, name.number);
+    case CastleSource::light_spot_direction: return bind_light(index, PackedSource::light_spot_direction, name.number);
+    case CastleSource::light_spot_cos_cutoff: return bind_light(index, PackedSource::light_spot_cos_cutoff, name.number);
+    case CastleSource::light_spot_cutoff: return bind_light(index, PackedSource::light_spot_cutoff, name.number);
+    case CastleSource::light_beam_width: return bind_light(index, PackedSource::light_beam_width, name.number);
+    case CastleSource::light_radius: return bind_light(index, PackedSource::light_radius, name.number);
+    case CastleSource::light_color: return bind_light(index, PackedSource::light_color, name.number);
+    case CastleSource::light_ambient_color: return bind_light(index, PackedSource::light_ambient_color, name.number);
+    case CastleSource::light_attenuation: return bind_light(index, PackedSource::light_attenuation, name.number);
+    case CastleSource::shadow_map: return bind_shadow(index, PackedSource::shadow_map, name.number);
+    case CastleSource::projector_matrix: return bind_shadow(index, PackedSource::projector_matrix, name.number);
+    case CastleSource::shadow_intensity:
+      if (const SceneLight* found = light(name.number)) add(index, PackedSource::slot, found->shadow_intensity);
+      return;
+    case CastleSource::texture: return bind_texture(index, use.texture);
+    case CastleSource::texture_matrix:
+      if (use.transform >= 0) add(index, PackedSource::texture_matrix, static_cast<std::uint32_t>(use.transform));
+      return;
+    default: return bind_material(index, name.source);
+  }
+}
+
+void Binder::bind_uniform(std::uint32_t index, const ReflectedVariable& uniform) {
+  const auto& fields = recipe_.targets.front().composed.fields;
+  const auto fed = std::find_if(fields.begin(), fields.end(), [&](const FieldUniform& field) { return field.name == uniform.name; });
+  if (fed != fields.end()) return bind_field(index, uniform, *fed);
+  if (const auto castle = find_castle_name(uniform.name)) bind_castle(index, *castle);
+}
+
+std::vector<PackedBinding> Binder::bind() {
+  const auto& uniforms = recipe_.targets.front().program.uniforms();
+  for (std::size_t i = 0; i < uniforms.size(); ++i) bind_uniform(static_cast<std::uint32_t>(i), uniforms[i]);
+  return std::move(bindings_);
+}
+
+}  // namespace
+
+std::uint32_t SourceList::index(SourceId source) {
+  const auto [found, added] = known_.try_emplace(source.value, static_cast<std::uint32_t>(names_->size()));
+  if (added) names_->emplace_back(sources_->name(source));
+  return found->second;
+}
+
+std::vector<PackedLineOrigin> SourceList::origins(const MappedText& text) {
+  std::vector<PackedLineOrigin> origins;
+  const std::string& all = text.text();
+  for (std::size_t begin = 0; begin < all.size();) {
+    const std::size_t end = std::min(all.find('\n', begin), all.size());
+    const std::size_t word = std::min(all.find_first_not_of(" \t\r", begin), end);
+    const Span span = word < end ? text.locate(static_cast<std::uint32_t>(word), static_cast<std::uint32_t>(end)) : Span{};
+    origins.push_back(span.valid() ? PackedLineOrigin(index(span.source), sources_->position(span.source, span.begin).line)
+                                   : PackedLineOrigin(0, 0));
+    begin = end + 1;
+  }
+  return origins;
+}
+
+std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::string name, SourceList& sources) {
+  PLUGC_CHECK(!recipe.targets.empty(), "only valid programs are packed");
+  auto packed = std::make_unique<PackedProgramT>();
+  packed->recipe = std::move(name);
+  packed->name = packed->recipe.substr(0, packed->recipe.find(';'));
+  for (const TargetProgram& target : recipe.targets) packed->targets.push_back(pack_target(target.program, sources));
+  const TargetProgram& first = recipe.targets.front();
+  for (const ReflectedVariable& variable : first.program.uniforms()) {
+    auto uniform = std::make_unique<PackedUniformT>();
+    uniform->name = variable.name;
+    uniform->type = pack_type(variable.type);
+    uniform->count = variable.count;
+    packed->uniforms.push_back(std::move(uniform));
+  }
+  for (const ReflectedVariable& variable : first.program.attributes()) packed->attributes.push_back(pack_attribute(variable));
+  packed->plugs_filled = first.composed.plugs_filled;
+  packed->plugs_empty = first.composed.plugs_empty;
+  return packed;
+}
+
+std::string program_content(const ValidRecipe& recipe) {
+  std::string content;
+  for (const TargetProgram& target : recipe.targets) {
+    for (const StageText& stage : target.program.stages()) {
+      content += static_cast<char>('0' + static_cast<int>(target.program.target()));
+      content += static_cast<char>('0' + static_cast<int>(stage.stage));
+      content += stage.text.text();
+      content += '\0';
+    }
+  }
+  return content;
+}
+
+std::vector<PackedBinding> pack_bindings(const ValidRecipe& recipe, const BindingContext& context) { return Binder(recipe, context).bind(); }
+
+}  // namespace plugc

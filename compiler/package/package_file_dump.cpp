@@ -1,0 +1,228 @@
+// One line a fact, in the order of the schema, indented by what holds it. Everything that decides what is drawn is written
+// out; texts, vertices and pixels are told by their size and hash, so that a dump stays a page that people compare.
+// Numbers are written in the shortest form that reads back to the same value, so equal packages give equal text.
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "package/package_file.h"
+
+namespace plugc {
+namespace {
+
+using Text = fmt::memory_buffer;
+
+template <typename... Args>
+void line(Text& text, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
+  text.push_back('\n');
+}
+
+/// In backticks, with whatever would break a line written as \xNN.
+std::string quoted(const flatbuffers::String& string) {
+  std::string result;
+  for (const char c : string) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return fmt::format("`{}`", result);
+}
+
+std::string quoted(const flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>& list) {
+  std::string result;
+  for (const auto* string : list) result.append(" ").append(quoted(*string));
+  return result.empty() ? " none" : result;
+}
+
+template <typename Range>
+std::string sized(const Range& data, std::string_view unit) {
+  const std::size_t bytes = data.size() * sizeof(*data.data());
+  return fmt::format("{} {}, hash {:016x}", data.size(), unit, XXH3_64bits(data.data(), bytes));
+}
+
+/// A type's name in the schema has a final `_` where C++ has that word already.
+std::string_view word(const char* enumerator_name) {
+  std::string_view name = enumerator_name;
+  if (name.ends_with('_')) name.remove_suffix(1);
+  return name;
+}
+
+std::string slot(std::uint32_t index) {
+  return index == kNoSlot ? "-" : std::to_string(index);
+}
+
+std::string vec3(const PackedVec3& v) {
+  return fmt::format("{} {} {}", v.x(), v.y(), v.z());
+}
+
+// ---- programs ----
+
+void dump_stage(Text& text, const PackedStage& stage) {
+  const std::string_view source = stage.text()->string_view();
+  line(text, "      {}: {} lines, {}", EnumNamePackedStageKind(stage.kind()), std::ranges::count(source, '\n'),
+       sized(source, "bytes"));
+  const auto& words = *stage.spirv();
+  if (words.size() != 0) line(text, "        spirv: {}", sized(words, "words"));
+}
+
+void dump_program(Text& text, const PackedProgram& program, std::size_t index) {
+  line(text, "program {} {}", index, quoted(*program.name()));
+  line(text, "  recipe {}", quoted(*program.recipe()));
+  for (const auto* target : *program.targets()) {
+    line(text, "  target {}", EnumNamePackedTarget(target->target()));
+    for (const auto* stage : *target->stages()) dump_stage(text, *stage);
+  }
+  for (const auto* uniform : *program.uniforms()) {
+    const std::string array = uniform->count() == 1 ? "" : fmt::format("[{}]", uniform->count());
+    line(text, "  uniform {} {}{}", word(EnumNamePackedUniformType(uniform->type())), uniform->name()->string_view(), array);
+  }
+  for (const auto* attribute : *program.attributes()) {
+    line(text, "  attribute {}: {} {}", attribute->name()->string_view(), EnumNamePackedSemantic(attribute->semantic()),
+         attribute->unit());
+  }
+  line(text, "  plugs filled:{}", quoted(*program.plugs_filled()));
+  line(text, "  plugs empty:{}", quoted(*program.plugs_empty()));
+}
+
+// ---- geometry and pixels ----
+
+void dump_mesh(Text& text, const PackedMesh& mesh, std::size_t index) {
+  line(text, "mesh {}: {}, {} vertices of {} bytes, {} indices", index, EnumNamePackedTopology(mesh.topology()),
+       mesh.vertex_count(), mesh.stride(), mesh.indices()->size());
+  for (const auto* stream : *mesh.streams()) {
+    line(text, "  stream {} {}: {} floats at {}", EnumNamePackedSemantic(stream->semantic()), stream->unit(),
+         stream->components(), stream->offset());
+  }
+  line(text, "  bounds {} to {}", vec3(*mesh.bounds_min()), vec3(*mesh.bounds_max()));
+  line(text, "  vertices: {}", sized(*mesh.vertices(), "bytes"));
+  line(text, "  indices: {}", sized(*mesh.indices(), "numbers"));
+}
+
+void dump_image(Text& text, const PackedImage& image, std::size_t index) {
+  line(text, "image {}: {} x {} x {}, {} channels, {}", index, image.width(), image.height(), image.depth(), image.channels(),
+       sized(*image.pixels(), "bytes"));
+}
+
+void dump_texture(Text& text, const PackedTexture& texture, std::size_t index) {
+  line(text, "texture {}: image {}, wrap {} {}, filter {} {}", index, texture.image(), EnumNamePackedWrap(texture.wrap_s()),
+       EnumNamePackedWrap(texture.wrap_t()), EnumNamePackedFilter(texture.minification()),
+       EnumNamePackedFilter(texture.magnification()));
+}
+
+// ---- scenes ----
+
+void dump_slot(Text& text, const PackedScene& scene, std::size_t index) {
+  const PackedSlot& packed = *scene.slots()->Get(static_cast<std::uint32_t>(index));
+  const double* first = scene.slot_values()->data() + packed.first();
+  const std::size_t numbers = std::size_t{packed.count()} * component_count(packed.type());
+  line(text, "  slot {}: {}[{}] {}", index, word(EnumNamePackedValueType(packed.type())), packed.count(),
+       fmt::join(first, first + numbers, " "));
+}
+
+void dump_slots(Text& text, const PackedScene& scene) {
+  for (std::size_t i = 0; i < scene.slots()->size(); ++i) dump_slot(text, scene, i);
+  for (const auto* name : *scene.slot_names()) line(text, "  slot {} is {}", name->slot(), quoted(*name->name()));
+}
+
+void dump_transform(Text& text, const PackedTransform& transform, std::size_t index) {
+  line(text, "  transform {}: parent {}, slots: translation {}, rotation {}, scale {}, scale orientation {}, center {}", index,
+       transform.parent(), slot(transform.translation()), slot(transform.rotation()), slot(transform.scale()),
+       slot(transform.scale_orientation()), slot(transform.center()));
+  if (transform.switch_slot() != kNoSlot) line(text, "    while slot {} is {}", transform.switch_slot(), transform.choice());
+}
+
+void dump_light(Text& text, const PackedLight& light, std::size_t index) {
+  line(text, "  light {} {}: {}{}, transform {}", index, quoted(*light.name()), EnumNamePackedLightKind(light.kind()),
+       light.headlight() ? " headlight" : "", light.transform());
+  line(text, "    slots: on {}, color {}, intensity {}, ambient intensity {}, location {}, direction {}", slot(light.on()),
+       slot(light.color()), slot(light.intensity()), slot(light.ambient_intensity()), slot(light.location()),
+       slot(light.direction()));
+  line(text, "    slots: attenuation {}, radius {}, cut off angle {}, beam width {}", slot(light.attenuation()),
+       slot(light.radius()), slot(light.cut_off_angle()), slot(light.beam_width()));
+}
+
+void dump_shadow_map(Text& text, const PackedShadowMap& map, std::size_t index) {
+  line(text, "  shadow map {}: light {}, size {}, update {}", index, map.light(), map.size(),
+       EnumNamePackedShadowUpdate(map.update()));
+  line(text, "    slots: scale {}, bias {}, near {}, far {}, up {}, angle {}, rectangle {}, location {}", slot(map.scale()),
+       slot(map.bias()), slot(map.near()), slot(map.far()), slot(map.up()), slot(map.angle()), slot(map.rectangle()),
+       slot(map.location()));
+}
+
+void dump_texture_transform(Text& text, const PackedTextureTransform& transform, std::size_t index) {
+  line(text, "  texture transform {}: slots: translation {}, rotation {}, scale {}, center {}", index,
+       slot(transform.translation()), slot(transform.rotation()), slot(transform.scale()), slot(transform.center()));
+}
+
+void dump_bindings(Text& text, const flatbuffers::Vector<const PackedBinding*>& bindings, const PackedProgram& program) {
+  for (const auto* binding : bindings) {
+    line(text, "      {} = {} a {} b {} scale {}", program.uniforms()->Get(binding->uniform())->name()->string_view(),
+         EnumNamePackedSource(binding->source()), slot(binding->a()), slot(binding->b()), binding->scale());
+  }
+}
+
+void dump_shape(Text& text, const Package& package, const PackedShape& shape, std::size_t index) {
+  line(text, "  shape {} {}: transform {}, mesh {}, program {}", index, quoted(*shape.name()), shape.transform(), shape.mesh(),
+       shape.program());
+  line(text, "    {}{}{}{}", shape.cull_back() ? "culls backs" : "two-sided", shape.front_cw() ? ", clockwise" : "",
+       shape.wireframe() ? ", wireframe" : "", shape.bounds_known() ? "" : ", bounds unknown");
+  if (shape.blended()) {
+    line(text, "    blends {} {}", EnumNamePackedBlendFactor(shape.blend_source()),
+         EnumNamePackedBlendFactor(shape.blend_destination()));
+  }
+  const auto& maps = *shape.receives();
+  if (maps.size() != 0) line(text, "    receives shadow maps {}", fmt::join(maps.data(), maps.data() + maps.size(), " "));
+  const auto& programs = *package.programs();
+  line(text, "    bindings");
+  dump_bindings(text, *shape.bindings(), *programs.Get(shape.program()));
+  if (shape.depth_program() < 0) return;
+  line(text, "    depth program {}", shape.depth_program());
+  dump_bindings(text, *shape.depth_bindings(), *programs.Get(static_cast<std::uint32_t>(shape.depth_program())));
+}
+
+void dump_viewpoint(Text& text, const PackedViewpoint& viewpoint, std::size_t index) {
+  line(text, "  viewpoint {} {} {}: transform {}{}", index, quoted(*viewpoint.name()), quoted(*viewpoint.description()),
+       viewpoint.transform(), viewpoint.orthographic() ? ", orthographic" : "");
+  line(text, "    slots: position {}, orientation {}, field of view {}", slot(viewpoint.position()),
+       slot(viewpoint.orientation()), slot(viewpoint.field_of_view()));
+}
+
+template <typename List, typename Function>
+void each(const List& list, Function function) {
+  for (flatbuffers::uoffset_t i = 0; i < list.size(); ++i) function(*list.Get(i), i);
+}
+
+void dump_scene(Text& text, const Package& package, const PackedScene& scene, std::size_t index) {
+  line(text, "scene {} {}: background color slot {}", index, quoted(*scene.name()), slot(scene.background_color()));
+  dump_slots(text, scene);
+  each(*scene.transforms(), [&](const PackedTransform& transform, std::size_t i) { dump_transform(text, transform, i); });
+  each(*scene.lights(), [&](const PackedLight& light, std::size_t i) { dump_light(text, light, i); });
+  each(*scene.shadow_maps(), [&](const PackedShadowMap& map, std::size_t i) { dump_shadow_map(text, map, i); });
+  each(*scene.texture_transforms(),
+       [&](const PackedTextureTransform& transform, std::size_t i) { dump_texture_transform(text, transform, i); });
+  each(*scene.shapes(), [&](const PackedShape& shape, std::size_t i) { dump_shape(text, package, shape, i); });
+  each(*scene.viewpoints(), [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, viewpoint, i); });
+}
+
+}  // namespace
+
+std::string dump_package(const Package& package) {
+  Text text;
+  line(text, "package by {}", quoted(*package.generator()));
+  each(*package.sources(),
+       [&](const flatbuffers::String& name, std::size_t i) { line(text, "source {} {}", i, quoted(name)); });
+  each(*package.programs(), [&](const PackedProgram& program, std::size_t i) { dump_program(text, program, i); });
+  each(*package.meshes(), [&](const PackedMesh& mesh, std::size_t i) { dump_mesh(text, mesh, i); });
+  each(*package.images(), [&](const PackedImage& image, std::size_t i) { dump_image(text, image, i); });
+  each(*package.textures(), [&](const PackedTexture& texture, std::size_t i) { dump_texture(text, texture, i); });
+  each(*package.scenes(), [&](const PackedScene& scene, std::size_t i) { dump_scene(text, package, scene, i); });
+  return fmt::to_string(text);
+}
+
+}  // namespace plugc

@@ -1,0 +1,25 @@
+#pragma once
+// The middle of the pipeline: a scene's geometry as triangles, its textures as pixels, its effects outlined, and the recipe
+// of every shape. Each thing that shapes share is made once.
+
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/file_access.h"
+#include "compose/code_unit.h"
+#include "compose/recipe.h"
+#include "package/assemble_package.h"
+#include "scene/scene.h"
+
+namespace plugc {
+
+/// What is known of a scene before its programs are composed.
+struct PreparedScene {
+  SceneParts parts;                          ///< Without programs.
+  std::vector<EffectCode> effects, shaders;  ///< By index of the scene's lists.
+  std::vector<Recipe> recipes;               ///< Each once; `parts.shapes` index it.
+};
+
+PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics);
+
+}  // namespace plugc

@@ -1,0 +1,203 @@
+// The walk itself. Jobs lie on a stack, the next one on top; a job that has children pushes its own end first and then the
+// children, last one first, so that everything happens in the order of the text:
+//
+//     Group { children [ A { } B { } ] }     ->  create Group | A, finish A | B, finish B | finish Group
+//
+// When the stack is empty every node exists and every list of nodes is complete; then routes are resolved and the fields
+// get their views of the lists.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+#include "scene/graph_builder.h"
+
+namespace plugc {
+namespace {
+
+/// Nodes, fields, links and routes together: what expanding may cost when prototypes multiply anything but nodes.
+constexpr std::size_t kMaxWork = std::size_t{6} * kMaxSceneNodes;
+constexpr std::size_t kMaxSuggestions = 200;
+
+std::vector<std::string_view> node_names() {
+  std::vector<std::string_view> names;
+  for (const NodeInfo& info : node_table()) names.push_back(info.name);
+  return names;
+}
+
+}  // namespace
+
+NodeGraph GraphBuilder::build(Document document, const std::filesystem::path& path) {
+  graph_.documents_.push_back(std::move(document));
+  graph_.document_paths_.push_back(path);
+  loaded_[path.lexically_normal().string()] = 0;
+  Scope& scope = scopes_.emplace_back();
+  NodeList& roots = graph_.node_lists_.emplace_back();
+  Job model;
+  model.scope = &scope;
+  model.to.list = &roots;
+  push_statements(this->document(scope).of(this->document(scope).statements), model);
+  run_jobs();
+  expand_unused(scope);
+  for (const PendingRoute& route : pending_routes_) resolve_route(route);
+  finish_graph(roots);
+  return std::move(graph_);
+}
+
+void GraphBuilder::run_jobs() {
+  while (!jobs_.empty() && !out_of_work_) {
+    Job job = jobs_.back();
+    if (job.following == 0) {
+      jobs_.pop_back();
+    } else {
+      Job& rest = jobs_.back();
+      --rest.following;
+      if (rest.kind == JobKind::node) ++rest.node;
+      if (rest.kind == JobKind::statement) ++rest.statement;
+    }
+    run(job);
+  }
+  jobs_.clear();
+}
+
+void GraphBuilder::run(const Job& job) {
+  switch (job.kind) {
+    case JobKind::node: build_node(job); break;
+    case JobKind::statement: run_statement(job); break;
+    case JobKind::body: run_body(job); break;
+    case JobKind::inlined: run_inlined(job); break;
+    case JobKind::finish: finish_node(job); break;
+  }
+}
+
+void GraphBuilder::push_statements(std::span<const StatementSyntax> statements, Job model) {
+  if (statements.empty()) return;
+  model.kind = JobKind::statement;
+  model.statement = statements.data();
+  model.following = static_cast<std::uint32_t>(statements.size() - 1);
+  jobs_.push_back(model);
+}
+
+void GraphBuilder::run_statement(const Job& job) {
+  const Document& text = document(*job.scope);
+  const std::uint32_t index = job.statement->index;
+  switch (job.statement->kind) {
+    case StatementKind::node: {
+      Job node = job;
+      node.kind = JobKind::node;
+      node.node = &text.nodes[index];
+      build_node(node);
+      break;
+    }
+    case StatementKind::route: note_route(*job.scope, text.routes[index]); break;
+    case StatementKind::proto: declare_prototype(*job.scope, index, false); break;
+    case StatementKind::externproto: declare_prototype(*job.scope, index, true); break;
+    case StatementKind::import:
+    case StatementKind::export_: export_or_import(*job.scope, text.imports[index]); break;
+  }
+}
+
+void GraphBuilder::build_node(const Job& written) {
+  Job job = written;
+  if (job.stands_for == nullptr) job.to.written = job.node;
+  const Name& type = job.node->type;
+  if (!job.node->use.empty()) return place_use(job);
+  if (Prototype* prototype = find_prototype(*job.scope, type.text)) return instantiate(job, *prototype);
+  if (const NodeInfo* info = find_node_info(type.text)) return create_node(job, *info);
+  if (!is_reported(DiagnosticId::node_unknown, type.span)) {
+    static const std::vector<std::string_view> names = node_names();
+    report(DiagnosticId::node_unknown, type.span, fmt::format("unknown node `{}`{}", type.text, suggest(type.text, names)));
+  }
+}
+
+void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
+  const NodeSyntax& syntax = *job.node;
+  if (!spend(1 + syntax.fields.count + syntax.interface.count, syntax.type.span)) return;
+  if (job.depth > kMaxSceneDepth) {
+    return report(DiagnosticId::nesting_limit, syntax.type.span,
+                  fmt::format("more than {} nodes inside one another", kMaxSceneDepth));
+  }
+  const NodeId id{static_cast<std::uint32_t>(graph_.nodes_.size())};
+  GraphNode& node = graph_.nodes_.emplace_back();
+  heights_.push_back(0);
+  node.info = &info;
+  node.def = syntax.def.text;
+  node.span = syntax.span;
+  node.type_span = syntax.type.span;
+  node.document = job.scope->document;
+  const std::span<const MappedText> cdata = document(*job.scope).of(syntax.cdata);
+  node.cdata.assign(cdata.begin(), cdata.end());
+  Definition* definition = define(*job.scope, syntax.def);
+  if (definition != nullptr) definition->node = id;
+  place(job, id);
+
+  Job finish = job;
+  finish.kind = JobKind::finish;
+  finish.following = 0;
+  finish.built = id;
+  finish.definition = definition;
+  jobs_.push_back(finish);
+  const auto first_child = static_cast<std::ptrdiff_t>(jobs_.size());
+  build_fields(job, id);
+  if (is_a(info, "Inline")) {
+    finish.kind = JobKind::inlined;
+    jobs_.push_back(finish);
+  }
+  std::reverse(jobs_.begin() + first_child, jobs_.end());
+}
+
+void GraphBuilder::finish_node(const Job& job) {
+  if (job.definition != nullptr) job.definition->open = false;
+  if (job.built.valid()) raise_height(job.to.holder, job.built);
+}
+
+/// Lists no longer grow, so the fields may now view them.
+void GraphBuilder::finish_graph(const NodeList& roots) {
+  for (const ListUse& use : list_uses_) {
+    GraphNode& node = graph_.nodes_[use.node.value];
+    FieldValue& value = use.interface ? node.interface[use.index].value : node.fields[use.index].value;
+    value.nodes = *use.list;
+  }
+  graph_.roots_ = roots;
+}
+
+Definition* GraphBuilder::define(Scope& scope, const Name& name) {
+  if (name.empty()) return nullptr;
+  Definition& definition = definitions_.emplace_back();
+  scope.definitions[name.text] = &definition;
+  return &definition;
+}
+
+bool GraphBuilder::spend(std::size_t work, const Span& span) {
+  work_ += work;
+  if (out_of_work_) return false;
+  if (work_ <= kMaxWork && graph_.nodes_.size() < kMaxSceneNodes) return true;
+  out_of_work_ = true;
+  report(DiagnosticId::scene_limit, span,
+         fmt::format("the scene expands to more than {} nodes; what follows is left out", kMaxSceneNodes));
+  return false;
+}
+
+void GraphBuilder::report(DiagnosticId id, const Span& span, const std::string& message) {
+  const auto key =
+      (std::uint64_t{static_cast<std::uint16_t>(id)} << 48) ^ (std::uint64_t{span.source.value} << 32) ^ span.begin;
+  if (reported_.insert(key).second) diagnostics_.report(id, span, message);
+}
+
+bool GraphBuilder::is_reported(DiagnosticId id, const Span& span) const {
+  return reported_.contains((std::uint64_t{static_cast<std::uint16_t>(id)} << 48) ^ (std::uint64_t{span.source.value} << 32) ^
+                            span.begin);
+}
+
+/// Looking for a near name costs more than all else about a mistake, so only the first mistakes get one.
+std::string GraphBuilder::suggest(std::string_view name, std::span<const std::string_view> candidates) {
+  return ++suggestions_ > kMaxSuggestions ? "" : did_you_mean(name, candidates);
+}
+
+NodeGraph build_graph(Document document, const std::filesystem::path& path, SourceSet& sources, FileAccess& files,
+                      Diagnostics& diagnostics) {
+  return GraphBuilder(sources, files, diagnostics).build(std::move(document), path);
+}
+
+}  // namespace plugc

@@ -1,0 +1,62 @@
+// X3D 4.1 part 1, 4.4.2.2: an inputOutput field `x` is also the events `set_x` and `x_changed`. ISO/IEC 14772 (VRML 2.0)
+// calls a few fields otherwise than X3D does; these names count only in files of that encoding.
+
+#include "scene/event_names.h"
+
+#include <algorithm>
+#include <array>
+
+namespace plugc {
+namespace {
+
+struct Renamed {
+  std::string_view node, vrml2, x3d;
+};
+
+constexpr std::array<Renamed, 3> kRenamed = {{
+    {"Collision", "collide", "enabled"},
+    {"LOD", "level", "children"},
+    {"Switch", "choice", "children"},
+}};
+
+}  // namespace
+
+bool holds_value(FieldAccess access) {
+  return access == FieldAccess::initialize_only || access == FieldAccess::input_output;
+}
+
+bool allows(FieldAccess access, EventUse use) {
+  switch (use) {
+    case EventUse::any: return true;
+    case EventUse::receive: return access == FieldAccess::input_only || access == FieldAccess::input_output;
+    case EventUse::send: return access == FieldAccess::output_only || access == FieldAccess::input_output;
+  }
+  return false;
+}
+
+bool allows(AccessType access, EventUse use) {
+  switch (use) {
+    case EventUse::any: return true;
+    case EventUse::receive: return access == AccessType::input_only || access == AccessType::input_output;
+    case EventUse::send: return access == AccessType::output_only || access == AccessType::input_output;
+  }
+  return false;
+}
+
+const FieldInfo* find_field_as_written(const NodeInfo& node, std::string_view name, Encoding encoding) {
+  if (const FieldInfo* field = find_field_info(node, name)) return field;
+  if (encoding != Encoding::vrml2) return nullptr;
+  const auto renamed = std::find_if(kRenamed.begin(), kRenamed.end(),
+                                    [&](const Renamed& one) { return one.node == node.name && one.vrml2 == name; });
+  return renamed == kRenamed.end() ? nullptr : find_field_info(node, renamed->x3d);
+}
+
+std::string_view without_event_affix(std::string_view name, EventUse use) {
+  constexpr std::string_view kSet = "set_";
+  constexpr std::string_view kChanged = "_changed";
+  if (use == EventUse::receive && name.starts_with(kSet)) return name.substr(kSet.size());
+  if (use == EventUse::send && name.ends_with(kChanged)) return name.substr(0, name.size() - kChanged.size());
+  return "";
+}
+
+}  // namespace plugc

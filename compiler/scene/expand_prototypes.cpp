@@ -1,0 +1,254 @@
+// Every instance of a prototype is a fresh copy of its body's nodes (X3D 4.1 part 1, 4.4.4). First the values that the
+// instance gives are built in the scope where it stands, then the defaults of the others, then the body in a scope of its
+// own. The first node of the body takes the instance's place; the others go nowhere, but exist for their routes. IS in the
+// body finds the values ready, and leaves a link behind, along which routes are followed later.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+#include "scene/event_names.h"
+#include "scene/graph_builder.h"
+
+namespace plugc {
+namespace {
+
+/// What an instance costs beside its fields, in nodes: it has name spaces of its own.
+constexpr std::size_t kInstanceWork = 16;
+
+std::vector<std::string_view> field_names(const Instance& instance) {
+  std::vector<std::string_view> names;
+  for (const ProtoField& field : instance.fields) names.push_back(field.declared->name.text);
+  return names;
+}
+
+}  // namespace
+
+ProtoField* find_proto_field(Instance& instance, std::string_view name) {
+  const auto found = std::find_if(instance.fields.begin(), instance.fields.end(),
+                                  [&](const ProtoField& field) { return field.declared->name.text == name; });
+  return found == instance.fields.end() ? nullptr : &*found;
+}
+
+void GraphBuilder::declare_prototype(Scope& scope, std::uint32_t index, bool external) {
+  Prototype& prototype = prototypes_.emplace_back();
+  prototype.document = scope.document;
+  prototype.syntax = &document(scope).protos[index];
+  if (!spend(1, prototype.syntax->name.span)) return;
+  prototype.scope = &scope;
+  prototype.order = scope.prototype_count++;
+  prototype.external = external;
+  scope.prototypes[prototype.syntax->name.text].push_back(&prototype);
+}
+
+/// A body sees the prototypes declared before its own in the scopes around it, the nearest first.
+Prototype* GraphBuilder::find_prototype(const Scope& scope, std::string_view name) const {
+  std::uint32_t visible = UINT32_MAX;
+  for (const Scope* at = &scope; at != nullptr; visible = at->visible_prototypes, at = at->declared_in) {
+    const auto found = at->prototypes.find(name);
+    if (found == at->prototypes.end()) continue;
+    const std::vector<Prototype*>& declared = found->second;
+    const auto last =
+        std::find_if(declared.rbegin(), declared.rend(), [&](const Prototype* one) { return one->order < visible; });
+    if (last != declared.rend()) return *last;
+  }
+  return nullptr;
+}
+
+/// A prototype that the file never uses is expanded once, out of sight, so that what it holds can be checked. The last one
+/// first: it may use those before it.
+void GraphBuilder::expand_unused(Scope& scope) {
+  static const NodeSyntax kNothingGiven;
+  for (std::size_t i = prototypes_.size(); i-- > 0;) {
+    Prototype& prototype = prototypes_[i];
+    if (prototype.scope != &scope || prototype.external || prototype.used) continue;
+    Job job;
+    job.node = &kNothingGiven;
+    job.scope = &scope;
+    job.to.written = &kNothingGiven;
+    expand(job, prototype);
+    run_jobs();
+  }
+}
+
+void GraphBuilder::instantiate(const Job& job, Prototype& prototype) {
+  if (!prototype.external) return expand(job, prototype);
+  Prototype* target = resolve_external(prototype);
+  if (target == nullptr) return;
+  if (target->built_in != nullptr) return create_node(job, *target->built_in);
+  expand(job, *target);
+}
+
+void GraphBuilder::expand(const Job& job, Prototype& prototype) {
+  const NodeSyntax& syntax = *job.node;
+  if (!spend(kInstanceWork + syntax.fields.count + prototype.syntax->interface.count, syntax.type.span)) return;
+  prototype.used = true;
+  if (!may_expand(job, prototype)) return;
+  Instance& instance = new_instance(job, prototype);
+  Job finish = job;
+  finish.kind = JobKind::finish;
+  finish.following = 0;
+  finish.definition = instance.definition;
+  jobs_.push_back(finish);
+  const auto first = static_cast<std::ptrdiff_t>(jobs_.size());
+  for (const FieldSyntax& field : document(*job.scope).of(syntax.fields)) set_field(job, instance, field);
+  for (ProtoField& field : instance.fields) {
+    const ValueKind kind = field.declared->value.kind;
+    if (field.has_value || kind == ValueKind::none || kind == ValueKind::is) continue;
+    give_value(job, instance, field, field.declared->value, *instance.body);
+  }
+  Job body = job;
+  body.kind = JobKind::body;
+  body.following = 0;
+  body.stands_for = &instance;
+  jobs_.push_back(body);
+  std::reverse(jobs_.begin() + first, jobs_.end());
+}
+
+/// A prototype cannot contain itself (a file that inlines itself through one is found by may_inline).
+bool GraphBuilder::may_expand(const Job& job, const Prototype& prototype) {
+  const Span& span = job.node->type.span;
+  for (const Scope* at = job.scope; at->instance != nullptr; at = at->outer) {
+    if (at->instance->prototype->syntax != prototype.syntax) continue;
+    report(DiagnosticId::proto_cycle, span, fmt::format("prototype `{}` contains itself", prototype.syntax->name.text));
+    return false;
+  }
+  if (job.scope->proto_depth < kMaxProtoDepth) return true;
+  report(DiagnosticId::proto_cycle, span, fmt::format("prototypes stand more than {} deep inside one another", kMaxProtoDepth));
+  return false;
+}
+
+Instance& GraphBuilder::new_instance(const Job& job, const Prototype& prototype) {
+  Instance& instance = instances_.emplace_back();
+  instance.prototype = &prototype;
+  instance.stands_for = job.stands_for;
+  instance.definition = define(*job.scope, job.node->def);
+  if (instance.definition != nullptr) instance.definition->instance = &instance;
+  Scope& body = scopes_.emplace_back();
+  body.document = prototype.document;
+  body.outer = job.scope;
+  body.declared_in = prototype.scope;
+  body.visible_prototypes = prototype.order;
+  body.instance = &instance;
+  body.inline_depth = job.scope->inline_depth;
+  body.proto_depth = job.scope->proto_depth + 1;
+  body.repeats = true;
+  instance.body = &body;
+  declare_fields(instance);
+  return instance;
+}
+
+void GraphBuilder::declare_fields(Instance& instance) {
+  for (const InterfaceSyntax& declared : document(*instance.body).of(instance.prototype->syntax->interface)) {
+    ProtoField& field = instance.fields.emplace_back();
+    field.declared = &declared;
+    field.type = field_type(declared.type.text);
+    if (field.type != FieldType::unknown) continue;
+    report(DiagnosticId::field_type, declared.type.span, fmt::format("no field type is called `{}`", declared.type.text));
+  }
+}
+
+void GraphBuilder::set_field(const Job& job, Instance& instance, const FieldSyntax& written) {
+  const Name& name = written.name;
+  const std::string_view prototype = instance.prototype->syntax->name.text;
+  ProtoField* field =
+      name.empty() ? container_of(instance, written, document(*job.scope)) : find_proto_field(instance, name.text);
+  if (field == nullptr) {
+    const Span span = name.empty() ? written.value.span : name.span;
+    if (is_reported(DiagnosticId::field_unknown, span)) return;
+    return report(DiagnosticId::field_unknown, span,
+                  name.empty() ? fmt::format("prototype `{}` has no field for this node", prototype)
+                               : fmt::format("prototype `{}` has no field `{}`{}", prototype, name.text,
+                                             suggest(name.text, field_names(instance))));
+  }
+  if (field->type == FieldType::unknown) return;
+  if (!name.empty()) field->nodes = nullptr;  // of a field given twice the last value counts; XML children add up
+  if (written.value.kind != ValueKind::is) return give_value(job, instance, *field, written.value, *job.scope);
+  const ProtoField* source = follow_is(*job.scope, written.value, field->type, {{}, &instance, field->declared->name.text});
+  if (source == nullptr || !source->has_value) return;
+  field->has_value = true;
+  field->value = source->value;
+  field->value_document = source->value_document;
+  field->nodes = source->nodes;
+}
+
+void GraphBuilder::give_value(const Job& job, Instance& instance, ProtoField& field, const ValueSyntax& value, Scope& scope) {
+  const ValueContract contract{field.type, "", "", field.declared->name.text, instance.prototype->syntax->name.text};
+  field.value_document = scope.document;
+  field.value.type = field.type;
+  field.value.span = value.span;
+  if (field.type == FieldType::unknown) return;
+  if (!is_node(field.type)) {
+    field.has_value = read_plain(scope, value, contract, field.value);
+    return;
+  }
+  if (!holds_nodes(value, contract)) return;
+  if (field.nodes == nullptr) field.nodes = &graph_.node_lists_.emplace_back();
+  field.has_value = true;
+  Destination to;
+  to.list = field.nodes;
+  to.single = !is_multiple(field.type);
+  push_nodes(job, value, to, scope);
+}
+
+/// XML: a node directly inside an instance goes to the field that it names, else to the first one for nodes.
+ProtoField* GraphBuilder::container_of(Instance& instance, const FieldSyntax& child, const Document& text) {
+  const std::span<const NodeSyntax> nodes = text.of(child.value.nodes);
+  if (!nodes.empty()) {
+    ProtoField* named = find_proto_field(instance, nodes[0].container_field.text);
+    if (named != nullptr && is_node(named->type)) return named;
+  }
+  const auto first =
+      std::find_if(instance.fields.begin(), instance.fields.end(), [](const ProtoField& field) { return is_node(field.type); });
+  return first == instance.fields.end() ? nullptr : &*first;
+}
+
+/// The interface field that `IS name` means in a body, with a link from it to what it feeds.
+ProtoField* GraphBuilder::follow_is(const Scope& scope, const ValueSyntax& is, FieldType type, const Link& link) {
+  const std::span<const MappedText> text = document(scope).of(is.strings);
+  const std::string name = text.empty() ? "" : text[0].text();
+  if (scope.instance == nullptr) {
+    report(DiagnosticId::proto_unknown_field, is.span, fmt::format("`IS {}` stands outside a prototype's body", name));
+    return nullptr;
+  }
+  Instance& instance = *scope.instance;
+  ProtoField* field =
+      find_event(name, EventUse::any, [&](std::string_view wanted) { return find_proto_field(instance, wanted); });
+  if (field == nullptr) {
+    if (is_reported(DiagnosticId::proto_unknown_field, is.span)) return nullptr;
+    report(DiagnosticId::proto_unknown_field, is.span,
+           fmt::format("prototype `{}` declares no field `{}`{}", instance.prototype->syntax->name.text, name,
+                       suggest(name, field_names(instance))));
+    return nullptr;
+  }
+  if (field->type != type && field->type != FieldType::unknown && type != FieldType::unknown) {
+    report(DiagnosticId::field_type, is.span,
+           fmt::format("`{}` is of type {}, but the prototype's `{}` is of type {}", link.field, to_text(type), name,
+                       to_text(field->type)));
+    return nullptr;
+  }
+  field->links.push_back(link);
+  return field;
+}
+
+void GraphBuilder::run_body(const Job& job) {
+  Scope& body = *job.stands_for->body;
+  const std::span<const StatementSyntax> statements = document(body).of(job.stands_for->prototype->syntax->body);
+  const auto first = static_cast<std::size_t>(
+      std::find_if(statements.begin(), statements.end(),
+                   [](const StatementSyntax& statement) { return statement.kind == StatementKind::node; }) -
+      statements.begin());
+  Job nowhere;
+  nowhere.scope = &body;
+  nowhere.depth = job.depth;
+  if (first < statements.size()) {
+    push_statements(statements.subspan(first + 1), nowhere);
+    Job in_place = job;
+    in_place.scope = &body;
+    push_statements(statements.subspan(first, 1), in_place);
+  }
+  push_statements(statements.first(first), nowhere);
+}
+
+}  // namespace plugc

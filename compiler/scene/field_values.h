@@ -1,0 +1,34 @@
+#pragma once
+// Values as written, read by the type of their field: numbers and strings. Nodes are the graph builder's.
+
+#include <deque>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "document/document.h"
+#include "scene/node_graph.h"
+
+namespace plugc {
+
+/// Where values live that no document holds.
+struct ValueStore {
+  std::deque<std::vector<double>>& numbers;
+  std::deque<std::vector<MappedText>>& strings;
+};
+
+/// What is asked of a value: its type and range, and what messages call it.
+struct ValueContract {
+  FieldType type = FieldType::unknown;
+  std::string_view minimum, maximum;  ///< As in FieldInfo.
+  std::string_view field, node;       ///< "`radius` of `Sphere`".
+};
+
+/// Reads `syntax` (no nodes, no IS) as the contract says. False when it has no value of that type (reported, field_type).
+/// A number out of range is reported (field_range) and kept.
+bool read_value(const ValueSyntax& syntax, const Document& document, const ValueContract& contract, ValueStore& store,
+                Diagnostics& diagnostics, FieldValue& value);
+
+/// "a string", "numbers"...: for messages.
+std::string_view describe(ValueKind kind);
+
+}  // namespace plugc

@@ -1,0 +1,183 @@
+// Where a built node goes: into its parent's list, after a look at what the field accepts. In XML the field is found here,
+// when the node's type is known even if a USE or a prototype's instance stands there.
+//
+// The longest path below each finished node is kept. A node may be put below another (by USE, or by IS) only where the
+// whole path stays within kMaxSceneDepth, so that later phases may recurse.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+#include "scene/event_names.h"
+#include "scene/graph_builder.h"
+
+namespace plugc {
+namespace {
+
+/// Fields that name a node which lives elsewhere, even around them.
+constexpr std::array<std::string_view, 5> kReferences = {"light", "projectedLight", "projector", "receiveShadows", "viewpoint"};
+
+bool takes(const FieldInfo* field) {
+  return field != nullptr && is_node(field->type) && holds_value(field->access);
+}
+
+/// ISO/IEC 19776-1: the field that the author names, else the node's default one, else the first that takes the node.
+const FieldInfo* container_field_of(const NodeInfo& holder, const NodeInfo& node, std::string_view written) {
+  const FieldInfo* named = find_field_info(holder, written);
+  if (takes(named)) return named;
+  const FieldInfo* usual = find_field_info(holder, node.container_field);
+  if (takes(usual) && accepts(*usual, node)) return usual;
+  for (const FieldInfo& field : holder.fields) {
+    if (takes(&field) && !field.accepts.empty() && accepts(field, node)) return &field;
+  }
+  return takes(usual) ? usual : nullptr;
+}
+
+/// "X3DTextureNode", "A or B", "A, B or others".
+std::string accepted_types(const FieldInfo& field) {
+  std::vector<std::string_view> types;
+  any_alternative(field.accepts, [&](std::string_view type) {
+    types.push_back(type);
+    return false;
+  });
+  if (types.size() > 3) return fmt::format("`{}`, `{}` or others", types[0], types[1]);
+  std::string text = fmt::format("`{}`", types[0]);
+  for (std::size_t i = 1; i < types.size(); ++i) text += fmt::format("{}`{}`", i + 1 == types.size() ? " or " : ", ", types[i]);
+  return text;
+}
+
+Span place_of(const Destination& to) {
+  return to.written->use.empty() ? to.written->type.span : to.written->use.span;
+}
+
+std::vector<std::string_view> defined_names(const Scope& scope) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, definition] : scope.definitions) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool is_defined_outside(const Scope& scope, std::string_view name) {
+  for (const Scope* outer = scope.outer; outer != nullptr; outer = outer->outer) {
+    if (outer->definitions.contains(name)) return true;
+  }
+  return false;
+}
+
+/// Why a USE finds nothing.
+std::string unknown_name_hint(const Scope& scope, std::string_view name, const std::string& suggestion) {
+  if (!suggestion.empty() || !is_defined_outside(scope, name)) return suggestion;
+  return "; names outside a prototype's body or an inlined file cannot be seen in it";
+}
+
+/// Whether a USE here names its node without containing it: as a reference, or for a Script's code.
+bool only_refers(const Destination& to, const NodeInfo* holder) {
+  if (holder == nullptr) return false;
+  if (is_a(*holder, "X3DScriptNode")) return true;
+  const std::string_view field = to.field != nullptr ? to.field->name : to.written->container_field.text;
+  return std::find(kReferences.begin(), kReferences.end(), field) != kReferences.end();
+}
+
+}  // namespace
+
+void GraphBuilder::place(const Job& job, NodeId id) {
+  for (Instance* instance = job.stands_for; instance != nullptr; instance = instance->stands_for) {
+    instance->first = id;
+    if (instance->definition != nullptr) instance->definition->node = id;
+  }
+  Destination to = job.to;
+  if (to.by_container && !choose_container(to, id)) return;
+  if (to.list == nullptr) return;
+  if (to.single && !to.list->empty()) {
+    return report(DiagnosticId::field_type, place_of(to), "this field takes one node; the first one counts");
+  }
+  if (to.field != nullptr) check_accepted(*to.field, to.holder, id, place_of(to));
+  to.list->push_back(id);
+}
+
+bool GraphBuilder::choose_container(Destination& to, NodeId id) {
+  const NodeInfo& holder = *graph_.nodes_[to.holder.value].info;
+  const NodeInfo& node = *graph_.nodes_[id.value].info;
+  const Name& written = to.written->container_field;
+  if (!written.empty() && !takes(find_field_info(holder, written.text))) {
+    report(DiagnosticId::field_unknown, written.span,
+           fmt::format("`{}` has no field `{}` for nodes", holder.name, written.text));
+  }
+  to.field = container_field_of(holder, node, written.text);
+  if (to.field == nullptr) {
+    report(DiagnosticId::node_misplaced, place_of(to),
+           fmt::format("`{}` has no field for a `{}`; it is left out", holder.name, node.name));
+    return false;
+  }
+  to.single = !is_multiple(to.field->type);
+  NodeList*& list = container_lists_[{to.holder.value, to.field}];
+  if (list == nullptr) {
+    const std::size_t index = write_field(to.holder, *to.field, place_of(to));
+    FieldValue& value = graph_.nodes_[to.holder.value].fields[index].value;
+    value.type = to.field->type;
+    value.span = to.written->span;
+    list = new_list(to.holder, index, false);
+  }
+  to.list = list;
+  return true;
+}
+
+void GraphBuilder::place_use(const Job& job) {
+  const Name& name = job.node->use;
+  if (!spend(1, name.span)) return;
+  const auto found = job.scope->definitions.find(name.text);
+  if (found == job.scope->definitions.end()) {
+    if (is_reported(DiagnosticId::use_unknown, name.span)) return;
+    const std::string suggestion = suggest(name.text, defined_names(*job.scope));
+    return report(
+        DiagnosticId::use_unknown, name.span,
+        fmt::format("no `DEF {}` stands before this `USE`{}", name.text, unknown_name_hint(*job.scope, name.text, suggestion)));
+  }
+  const Definition& definition = *found->second;
+  if (definition.open) {
+    const NodeInfo* holder = job.to.holder.valid() ? graph_.nodes_[job.to.holder.value].info : nullptr;
+    if (only_refers(job.to, holder)) return;
+    return report(DiagnosticId::use_cycle, name.span,
+                  fmt::format("this `USE` stands inside `DEF {}`, so that it would contain itself", name.text));
+  }
+  if (!definition.node.valid() || !fits_depth(job.depth, definition.node, name.span)) return;
+  place(job, definition.node);
+  raise_height(job.to.holder, definition.node);
+}
+
+/// The nodes that an instance was given, for one field of a node in its body. Null when they do not fit there.
+NodeList* GraphBuilder::share(const Job& job, NodeId holder, const FieldInfo* info, const ProtoField& source) {
+  NodeList* list = source.nodes;
+  if (list == nullptr || !spend(1 + list->size(), source.value.span)) return nullptr;
+  for (const NodeId id : *list) {
+    if (!fits_depth(job.depth + 1, id, source.value.span)) return nullptr;
+  }
+  for (const NodeId id : *list) {
+    if (info != nullptr) check_accepted(*info, holder, id, source.value.span);
+    raise_height(holder, id);
+  }
+  return list;
+}
+
+void GraphBuilder::check_accepted(const FieldInfo& field, NodeId holder, NodeId id, const Span& span) {
+  const NodeInfo& node = *graph_.nodes_[id.value].info;
+  if (accepts(field, node)) return;
+  report(DiagnosticId::node_misplaced, span,
+         fmt::format("`{}` stands in `{}` of `{}`, which takes {}", node.name, field.name,
+                     graph_.nodes_[holder.value].info->name, accepted_types(field)));
+}
+
+bool GraphBuilder::fits_depth(std::uint32_t depth, NodeId id, const Span& span) {
+  if (depth + heights_[id.value] <= kMaxSceneDepth) return true;
+  report(DiagnosticId::nesting_limit, span, fmt::format("more than {} nodes inside one another", kMaxSceneDepth));
+  return false;
+}
+
+void GraphBuilder::raise_height(NodeId holder, NodeId child) {
+  if (!holder.valid()) return;
+  heights_[holder.value] = std::max(heights_[holder.value], heights_[child.value] + 1);
+}
+
+}  // namespace plugc

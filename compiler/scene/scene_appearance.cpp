@@ -1,0 +1,250 @@
+// Appearance, materials, textures, effects and shader nodes as plain data. A node is turned once, however often it is USEd.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "scene/scene_context.h"
+#include "scene/shader_url.h"
+
+namespace plugc {
+namespace {
+
+constexpr std::array<std::string_view, 4> kPartTypes = {"VERTEX", "GEOMETRY", "FRAGMENT", "LIGHT"};
+
+/// A part's stage; nullopt (with a message) for a type that names none. ShaderPart knows no LIGHT, but no harm is done.
+std::optional<PartStage> part_stage(SceneContext& context, NodeId part) {
+  const std::string_view type = context.graph.string(part, "type");
+  const auto found = std::find(kPartTypes.begin(), kPartTypes.end(), type);
+  if (found != kPartTypes.end()) return static_cast<PartStage>(found - kPartTypes.begin());
+  context.diagnostics.report(DiagnosticId::effect_unknown_type, context.graph.field_span(part, "type"),
+                             fmt::format("`{}` is no shader stage; `type` takes `VERTEX`, `GEOMETRY`, `FRAGMENT` or `LIGHT`{}", type,
+                                         did_you_mean(type, kPartTypes)));
+  return std::nullopt;
+}
+
+std::vector<ShaderSource> read_parts(SceneContext& context, NodeId node) {
+  std::vector<ShaderSource> parts;
+  for (const NodeId part : context.graph.children(node, "parts")) {
+    if (!context.graph.is(part, "EffectPart") && !context.graph.is(part, "ShaderPart")) continue;
+    const auto stage = part_stage(context, part);
+    if (!stage) continue;
+    auto code = read_shader_code(context.graph, part, context.sources, context.files, context.diagnostics);
+    if (code) parts.push_back({*stage, std::move(code->text), code->span, part});
+  }
+  return parts;
+}
+
+std::vector<ShaderField> read_fields(SceneContext& context, NodeId node) {
+  std::vector<ShaderField> fields;
+  for (const InterfaceField& written : context.graph[node].interface) {
+    if (written.access == AccessType::output_only) continue;
+    ShaderField field{written.name, written.type, written.name_span, kSceneNoSlot, {}};
+    if (is_node(written.type)) {
+      for (const NodeId texture : written.value.nodes) field.textures.push_back(texture_index(context, texture));
+    } else {
+      field.slot = context.slots.interface_slot(node, written);
+    }
+    fields.push_back(std::move(field));
+  }
+  return fields;
+}
+
+bool is_glsl(SceneContext& context, NodeId node, std::string_view what) {
+  const std::string_view language = context.graph.string(node, "language");
+  if (language.empty() || language == "GLSL") return true;
+  context.diagnostics.report(DiagnosticId::effect_unknown_language, context.graph.field_span(node, "language"),
+                             fmt::format("{} in language `{}` is passed over; plugc compiles `GLSL`", what, language));
+  return false;
+}
+
+SceneEffect read_shader_node(SceneContext& context, NodeId node) {
+  SceneEffect effect;
+  const GraphNode& written = context.graph[node];
+  effect.node = node;
+  effect.span = written.type_span;
+  const auto line = context.sources.position(written.span.source, written.span.begin).line;
+  effect.label = written.def.empty() ? fmt::format("{} at line {}", written.info->name, line) : std::string(written.def);
+  effect.parts = read_parts(context, node);
+  effect.fields = read_fields(context, node);
+  return effect;
+}
+
+Wrap read_wrap(const NodeGraph& graph, NodeId texture, std::string_view field) {
+  return graph.boolean(texture, field) ? Wrap::repeat : Wrap::clamp_to_edge;
+}
+
+TextureMode read_mode(SceneContext& context, NodeId multi_texture, std::size_t index) {
+  const auto modes = context.graph.field(multi_texture, "mode").strings;
+  if (index >= modes.size()) return TextureMode::modulate;
+  const std::string& mode = modes[index].text();
+  if (mode == "MODULATE") return TextureMode::modulate;
+  if (mode == "REPLACE" || mode == "SELECTARG1") return TextureMode::replace;
+  if (mode == "ADD") return TextureMode::add;
+  context.diagnostics.report(DiagnosticId::not_drawn, modes[index].locate(0, modes[index].size()),
+                             fmt::format("texture mode `{}` is drawn as `MODULATE`", mode));
+  return TextureMode::modulate;
+}
+
+int texture_transform_index(SceneContext& context, NodeId node) {
+  if (!context.graph.is(node, "TextureTransform")) return -1;
+  const auto [found, added] = context.texture_transforms.try_emplace(node, static_cast<int>(context.scene.texture_transforms.size()));
+  if (added) {
+    SlotTable& slots = context.slots;
+    context.scene.texture_transforms.push_back({slots.slot(node, "translation"), slots.slot(node, "rotation"),
+                                                slots.slot(node, "scale"), slots.slot(node, "center")});
+  }
+  return found->second;
+}
+
+/// The transform of one texture unit: TextureTransform serves the first unit, MultiTextureTransform each its own.
+int unit_transform(SceneContext& context, NodeId transform, std::size_t unit) {
+  const NodeGraph& graph = context.graph;
+  if (!graph.is(transform, "MultiTextureTransform")) return unit == 0 ? texture_transform_index(context, transform) : -1;
+  const auto list = graph.children(transform, "textureTransform");
+  return unit < list.size() ? texture_transform_index(context, list[unit]) : -1;
+}
+
+void read_textures(SceneContext& context, NodeId texture, NodeId transform, SceneShape& shape) {
+  const NodeGraph& graph = context.graph;
+  const bool multi = graph.is(texture, "MultiTexture");
+  const std::vector<NodeId> single = {texture};
+  const auto list = multi ? graph.children(texture, "texture") : std::span<const NodeId>(single);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const int index = texture_index(context, list[i]);
+    if (index < 0) continue;
+    const TextureMode mode = multi ? read_mode(context, texture, i) : TextureMode::modulate;
+    shape.textures.push_back({index, mode, unit_transform(context, transform, i), static_cast<int>(i)});
+  }
+}
+
+/// The field of a material that the main texture multiplies (X3D 4.1, clause 12.4).
+NodeId material_texture(const NodeGraph& graph, NodeId material) {
+  if (graph.is(material, "Material")) return graph.child(material, "diffuseTexture");
+  if (graph.is(material, "UnlitMaterial")) return graph.child(material, "emissiveTexture");
+  if (graph.is(material, "PhysicalMaterial")) return graph.child(material, "baseTexture");
+  return {};
+}
+
+SceneMaterial read_material(SceneContext& context, NodeId node) {
+  SlotTable& slots = context.slots;
+  SceneMaterial material;
+  material.transparency = slots.slot(node, "transparency");
+  if (context.graph.is(node, "Material")) {
+    material.lighting = Lighting::phong;
+    material.diffuse = slots.slot(node, "diffuseColor");
+    material.ambient = slots.slot(node, "ambientIntensity");
+    material.specular = slots.slot(node, "specularColor");
+    material.emissive = slots.slot(node, "emissiveColor");
+    material.shininess = slots.slot(node, "shininess");
+  } else if (context.graph.is(node, "PhysicalMaterial")) {
+    context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span,
+                               "a `PhysicalMaterial` is drawn as a matt `Material` of its baseColor");
+    material.lighting = Lighting::phong;
+    material.diffuse = slots.slot(node, "baseColor");
+    material.emissive = slots.slot(node, "emissiveColor");
+  } else {
+    material.emissive = slots.slot(node, "emissiveColor");
+  }
+  return material;
+}
+
+int material_index(SceneContext& context, NodeId node) {
+  const NodeGraph& graph = context.graph;
+  if (!graph.is(node, "Material") && !graph.is(node, "UnlitMaterial") && !graph.is(node, "PhysicalMaterial")) return -1;
+  const auto [found, added] = context.materials.try_emplace(node, static_cast<int>(context.scene.materials.size()));
+  if (added) context.scene.materials.push_back(read_material(context, node));
+  return found->second;
+}
+
+BlendFactor read_factor(SceneContext& context, NodeId blend, std::string_view field, BlendFactor fallback) {
+  constexpr std::array<std::string_view, 15> kNames = {
+      "ZERO", "ONE", "SRC_COLOR", "ONE_MINUS_SRC_COLOR", "DST_COLOR", "ONE_MINUS_DST_COLOR", "SRC_ALPHA", "ONE_MINUS_SRC_ALPHA",
+      "DST_ALPHA", "ONE_MINUS_DST_ALPHA", "SRC_ALPHA_SATURATE", "CONSTANT_COLOR", "ONE_MINUS_CONSTANT_COLOR", "CONSTANT_ALPHA",
+      "ONE_MINUS_CONSTANT_ALPHA"};
+  const std::string_view name = context.graph.string(blend, field);
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found != kNames.end()) return static_cast<BlendFactor>(found - kNames.begin());
+  context.diagnostics.report(DiagnosticId::field_value, context.graph.field_span(blend, field),
+                             fmt::format("`{}` is no blend factor{}", name, did_you_mean(name, kNames)));
+  return fallback;
+}
+
+}  // namespace
+
+std::string node_label(const NodeGraph& graph, NodeId node) {
+  return std::string(graph[node].def.empty() ? graph[node].info->name : graph[node].def);
+}
+
+int effect_index(SceneContext& context, NodeId node) {
+  if (!context.graph.is(node, "Effect")) return -1;
+  if (const auto found = context.effects.find(node); found != context.effects.end()) return found->second;
+  int& index = context.effects[node] = -1;
+  const bool off_for_good = !context.graph.boolean(node, "enabled") && !context.slots.is_routed(node, "enabled");
+  if (!context.options.all_branches && off_for_good) return -1;
+  if (!is_glsl(context, node, "an effect")) return -1;
+  SceneEffect effect = read_shader_node(context, node);
+  effect.warn_missing_uniforms = context.graph.string(node, "uniformMissing") != "IGNORE";
+  for (const MappedText& library : context.graph.field(node, "shaderLibraries").strings) effect.libraries.push_back(library.text());
+  context.scene.effects.push_back(std::move(effect));
+  return index = static_cast<int>(context.scene.effects.size() - 1);
+}
+
+std::vector<int> effect_list(SceneContext& context, NodeId owner) {
+  std::vector<int> list;
+  for (const NodeId effect : context.graph.children(owner, "effects")) {
+    if (const int index = effect_index(context, effect); index >= 0) list.push_back(index);
+  }
+  return list;
+}
+
+int shader_index(SceneContext& context, NodeId node) {
+  if (!context.graph.is(node, "ComposedShader")) return -1;
+  if (const auto found = context.shaders.find(node); found != context.shaders.end()) return found->second;
+  int& index = context.shaders[node] = -1;
+  if (!is_glsl(context, node, "a shader")) return -1;
+  context.scene.shaders.push_back(read_shader_node(context, node));
+  return index = static_cast<int>(context.scene.shaders.size() - 1);
+}
+
+int texture_index(SceneContext& context, NodeId node) {
+  if (!node.valid()) return -1;
+  if (const auto found = context.textures.find(node); found != context.textures.end()) return found->second;
+  int& index = context.textures[node] = -1;
+  if (!context.graph.is(node, "ImageTexture")) {
+    context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span,
+                               fmt::format("a `{}` is not drawn yet; the shape is drawn without it", context.graph[node].info->name));
+    return -1;
+  }
+  SceneTexture texture;
+  texture.node = node;
+  texture.wrap_s = read_wrap(context.graph, node, "repeatS");
+  texture.wrap_t = read_wrap(context.graph, node, "repeatT");
+  texture.effects = effect_list(context, node);
+  context.scene.textures.push_back(std::move(texture));
+  return index = static_cast<int>(context.scene.textures.size() - 1);
+}
+
+void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape) {
+  const NodeGraph& graph = context.graph;
+  if (!graph.is(appearance, "Appearance")) return;
+  const NodeId material = graph.child(appearance, "material");
+  shape.material = material_index(context, material);
+  const NodeId own_texture = material_texture(graph, material);
+  read_textures(context, own_texture.valid() ? own_texture : graph.child(appearance, "texture"),
+                graph.child(appearance, "textureTransform"), shape);
+  shape.effects = effect_list(context, appearance);
+  for (const NodeId shader : graph.children(appearance, "shaders")) {
+    shape.shader = shader_index(context, shader);
+    if (shape.shader >= 0) break;  // the first that can be used counts (X3D 4.1, 31.4.1)
+  }
+  shape.casts_shadow = graph.boolean(appearance, "shadowCaster");
+  if (const NodeId blend = graph.child(appearance, "blendMode"); graph.is(blend, "BlendMode")) {
+    shape.has_blend_mode = true;
+    shape.blend = {read_factor(context, blend, "srcFactor", BlendFactor::src_alpha),
+                   read_factor(context, blend, "destFactor", BlendFactor::one_minus_src_alpha)};
+  }
+}
+
+}  // namespace plugc

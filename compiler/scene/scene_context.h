@@ -1,0 +1,50 @@
+#pragma once
+// What the passes that build a Scene share. Internal to the scene room: build_scene.cpp walks the tree, scene_lights.cpp
+// and scene_appearance.cpp turn single nodes into plain data.
+
+#include <map>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/scene_values.h"
+
+namespace plugc {
+
+struct SceneContext {
+  SceneContext(const NodeGraph& node_graph, SourceSet& source_set, FileAccess& file_access, const SceneOptions& scene_options,
+               Diagnostics& sink)
+      : graph(node_graph), sources(source_set), files(file_access), options(scene_options), diagnostics(sink),
+        slots(node_graph, scene.slots) {}
+
+  const NodeGraph& graph;
+  SourceSet& sources;
+  FileAccess& files;
+  const SceneOptions& options;
+  Diagnostics& diagnostics;
+  Scene scene;
+  SlotTable slots;
+  std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials;  ///< -1: takes no part.
+};
+
+/// A node's DEF name, or its type.
+std::string node_label(const NodeGraph& graph, NodeId node);
+
+/// The effect's index; -1 when it is off for good, in an unknown language, or NULL.
+int effect_index(SceneContext& context, NodeId effect);
+/// The `effects` field of an Appearance, a light or a texture.
+std::vector<int> effect_list(SceneContext& context, NodeId owner);
+int shader_index(SceneContext& context, NodeId shader);
+int texture_index(SceneContext& context, NodeId texture);
+
+/// Fills what the Appearance says: material, textures, effects, shader, blending.
+void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape);
+
+/// A light where it stands; its index in context.scene.lights.
+int add_light(SceneContext& context, NodeId light, int transform);
+/// The light that NavigationInfo puts on the camera, if any.
+void add_headlight(SceneContext& context, NodeId navigation_info);
+/// Numbers lights as effects do, resolves who shadows whom, and makes the shadow maps that some shape looks into.
+/// `receives` holds for each shape the light nodes that its Appearance names.
+void finish_lights(SceneContext& context, const std::vector<std::vector<NodeId>>& receives);
+
+}  // namespace plugc

@@ -1,0 +1,200 @@
+// Lights, and which shapes show whose shadow. A light is an instance: the node where it stands. Lights are numbered as
+// effects see them: headlight, directional lights, then the others, each in document order.
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "base/limits.h"
+#include "scene/scene_context.h"
+
+namespace plugc {
+namespace {
+
+LightKind light_kind(const NodeGraph& graph, NodeId light) {
+  if (graph.is(light, "SpotLight")) return LightKind::spot;
+  return graph.is(light, "PointLight") ? LightKind::point : LightKind::directional;
+}
+
+void read_projection(SceneContext& context, const SceneLight& light, SceneShadowMap& map) {
+  SlotTable& slots = context.slots;
+  map.near = slots.slot(light.node, "projectionNear");
+  map.far = slots.slot(light.node, "projectionFar");
+  map.up = slots.slot(light.node, "up");
+  if (light.kind == LightKind::spot) map.angle = slots.slot(light.node, "projectionAngle");
+  if (light.kind == LightKind::directional) {
+    map.rectangle = slots.slot(light.node, "projectionRectangle");
+    map.location = slots.slot(light.node, "projectionLocation");
+  }
+}
+
+/// A projection that cannot be is reported here, where its line is known; the runtime computes it instead.
+void check_projection(SceneContext& context, const SceneLight& light) {
+  const NodeGraph& graph = context.graph;
+  const double near = graph.number(light.node, "projectionNear");
+  const double far = graph.number(light.node, "projectionFar");
+  const auto report = [&](std::string_view field, std::string message) {
+    context.diagnostics.report(DiagnosticId::projection_invalid, graph.field_span(light.node, field), std::move(message));
+  };
+  if (near < 0) report("projectionNear", fmt::format("`projectionNear` {} is negative; it is computed instead", near));
+  if (far != 0 && far <= near) {
+    report("projectionFar", fmt::format("`projectionFar` {} is not beyond `projectionNear` {}; it is computed instead", far, near));
+  }
+  if (light.kind != LightKind::directional) return;
+  const glm::dvec4 rectangle = graph.vec4(light.node, "projectionRectangle");  // left bottom right top
+  if (rectangle != glm::dvec4(0) && (rectangle.x >= rectangle.z || rectangle.y >= rectangle.w)) {
+    report("projectionRectangle", "`projectionRectangle` is empty (left bottom right top); it is computed instead");
+  }
+}
+
+ShadowUpdate read_update(SceneContext& context, NodeId map) {
+  const std::string_view update = context.graph.string(map, "update");
+  if (update == "ALWAYS") return ShadowUpdate::always;
+  if (update == "NEXT_FRAME_ONLY") return ShadowUpdate::next_frame_only;
+  if (update != "NONE") {
+    context.diagnostics.report(DiagnosticId::field_value, context.graph.field_span(map, "update"),
+                               fmt::format("`update` is `{}`; it takes `NONE`, `NEXT_FRAME_ONLY` or `ALWAYS`", update));
+  }
+  return ShadowUpdate::none;
+}
+
+/// The map of a light that some shape receives; -1 when it has none that can be drawn.
+int make_shadow_map(SceneContext& context, int light_index) {
+  const SceneLight& light = context.scene.lights[static_cast<std::size_t>(light_index)];
+  const NodeGraph& graph = context.graph;
+  if (!light.node.valid() || light.headlight) return -1;
+  if (light.kind == LightKind::point) {
+    context.diagnostics.report(DiagnosticId::shadow_unsupported, graph[light.node].type_span,
+                               "a `PointLight` casts no shadow yet; use a `SpotLight` where the shadow matters");
+    return -1;
+  }
+  SceneShadowMap map;
+  map.light = light_index;
+  const NodeId written = graph.child(light.node, "defaultShadowMap");
+  if (written.valid()) {
+    map.update = read_update(context, written);
+    if (map.update == ShadowUpdate::none) {
+      context.diagnostics.report(DiagnosticId::shadow_map_update_none, graph.field_span(written, "update"),
+                                 "a shadow map with `update \"NONE\"` is never drawn, so this light casts no shadow; write `update \"ALWAYS\"`");
+      return -1;
+    }
+    const int size = graph.integer(written, "size");
+    map.size = static_cast<std::uint32_t>(std::clamp(size, 1, static_cast<int>(kMaxShadowMapSide)));
+    if (size != static_cast<int>(map.size)) {
+      context.diagnostics.report(DiagnosticId::field_range, graph.field_span(written, "size"),
+                                 fmt::format("a shadow map of size {} cannot be; {} is used", size, map.size));
+    }
+    map.scale = context.slots.slot(written, "scale");
+    map.bias = context.slots.slot(written, "bias");
+  } else {
+    map.scale = map.bias = context.slots.constant(SlotType::float_, {4.0});
+  }
+  check_projection(context, light);
+  read_projection(context, light, map);
+  context.scene.shadow_maps.push_back(map);
+  return static_cast<int>(context.scene.shadow_maps.size() - 1);
+}
+
+/// Order of lights as effects number them; a stable sort keeps document order within a kind.
+std::vector<int> numbering(const std::vector<SceneLight>& lights) {
+  const auto rank = [&](int index) {
+    const SceneLight& light = lights[static_cast<std::size_t>(index)];
+    return light.headlight ? 0 : light.kind == LightKind::directional ? 1 : 2;
+  };
+  std::vector<int> order(lights.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
+  return order;
+}
+
+void renumber_lights(Scene& scene) {
+  const std::vector<int> order = numbering(scene.lights);
+  std::vector<int> new_index(order.size());
+  std::vector<SceneLight> lights;
+  for (const int old : order) {
+    new_index[static_cast<std::size_t>(old)] = static_cast<int>(lights.size());
+    lights.push_back(std::move(scene.lights[static_cast<std::size_t>(old)]));
+  }
+  scene.lights = std::move(lights);
+  for (SceneShape& shape : scene.shapes) {
+    for (int& light : shape.lights) light = new_index[static_cast<std::size_t>(light)];
+    std::sort(shape.lights.begin(), shape.lights.end());
+  }
+}
+
+bool receives_from(const SceneLight& light, const std::vector<NodeId>& named) {
+  return light.casts_on_all || (light.node.valid() && std::find(named.begin(), named.end(), light.node) != named.end());
+}
+
+}  // namespace
+
+int add_light(SceneContext& context, NodeId node, int transform) {
+  const NodeGraph& graph = context.graph;
+  SlotTable& slots = context.slots;
+  SceneLight light;
+  light.kind = light_kind(graph, node);
+  light.node = node;
+  light.label = node_label(graph, node);
+  light.transform = transform;
+  light.on = slots.slot(node, "on");
+  light.color = slots.slot(node, "color");
+  light.intensity = slots.slot(node, "intensity");
+  light.ambient_intensity = slots.slot(node, "ambientIntensity");
+  light.shadow_intensity = slots.slot(node, "shadowIntensity");
+  if (light.kind != LightKind::point) light.direction = slots.slot(node, "direction");
+  if (light.kind != LightKind::directional) {
+    light.location = slots.slot(node, "location");
+    light.attenuation = slots.slot(node, "attenuation");
+    light.radius = slots.slot(node, "radius");
+  }
+  if (light.kind == LightKind::spot) {
+    light.cut_off_angle = slots.slot(node, "cutOffAngle");
+    light.beam_width = slots.slot(node, "beamWidth");
+  }
+  light.effects = effect_list(context, node);
+  light.casts_on_all = graph.boolean(node, "shadows");
+  context.scene.lights.push_back(std::move(light));
+  return static_cast<int>(context.scene.lights.size() - 1);
+}
+
+void add_headlight(SceneContext& context, NodeId navigation_info) {
+  const NodeGraph& graph = context.graph;
+  if (navigation_info.valid()) {
+    const bool switched = context.slots.is_routed(navigation_info, "headlight");
+    if (!graph.boolean(navigation_info, "headlight") && !switched) return;
+    if (const NodeId node = graph.child(navigation_info, "headlightNode"); graph.is(node, "X3DLightNode")) {
+      context.scene.lights[static_cast<std::size_t>(add_light(context, node, -1))].headlight = true;
+      return;
+    }
+  }
+  SlotTable& slots = context.slots;
+  SceneLight light;
+  light.headlight = true;
+  light.label = "headlight";
+  light.on = navigation_info.valid() ? slots.slot(navigation_info, "headlight") : slots.constant(SlotType::bool_, {1});
+  light.color = slots.constant(SlotType::vec3, {1, 1, 1});
+  light.intensity = slots.constant(SlotType::float_, {1});
+  light.ambient_intensity = slots.constant(SlotType::float_, {0});
+  light.direction = slots.constant(SlotType::vec3, {0, 0, -1});
+  light.shadow_intensity = slots.constant(SlotType::float_, {1});
+  context.scene.lights.push_back(std::move(light));
+}
+
+void finish_lights(SceneContext& context, const std::vector<std::vector<NodeId>>& receives) {
+  Scene& scene = context.scene;
+  renumber_lights(scene);
+  std::vector<bool> tried(scene.lights.size(), false);
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    SceneShape& shape = scene.shapes[i];
+    for (const int index : shape.lights) {
+      SceneLight& light = scene.lights[static_cast<std::size_t>(index)];
+      if (!receives_from(light, receives[i])) continue;
+      if (!tried[static_cast<std::size_t>(index)]) light.shadow_map = make_shadow_map(context, index);
+      tried[static_cast<std::size_t>(index)] = true;
+      if (light.shadow_map >= 0) shape.receives.push_back(index);
+    }
+  }
+}
+
+}  // namespace plugc

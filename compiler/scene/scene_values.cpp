@@ -1,0 +1,88 @@
+// Slots are made on demand and remembered by (node, field name). Array fields become slots of several elements; a field
+// without a value (inputOnly) starts as zeros, which is what GLSL gives an unset uniform.
+
+#include "scene/scene_values.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace plugc {
+namespace {
+
+/// The slot type that holds one element of a field; nullopt for strings, nodes and images.
+std::optional<SlotType> slot_type(FieldType type) {
+  switch (type) {
+    case FieldType::SFBool: case FieldType::MFBool: return SlotType::bool_;
+    case FieldType::SFInt32: case FieldType::MFInt32: return SlotType::int_;
+    case FieldType::SFFloat: case FieldType::MFFloat: case FieldType::SFDouble: case FieldType::MFDouble:
+    case FieldType::SFTime: case FieldType::MFTime: return SlotType::float_;
+    case FieldType::SFVec2f: case FieldType::MFVec2f: case FieldType::SFVec2d: case FieldType::MFVec2d: return SlotType::vec2;
+    case FieldType::SFVec3f: case FieldType::MFVec3f: case FieldType::SFVec3d: case FieldType::MFVec3d:
+    case FieldType::SFColor: case FieldType::MFColor: return SlotType::vec3;
+    case FieldType::SFVec4f: case FieldType::MFVec4f: case FieldType::SFVec4d: case FieldType::MFVec4d:
+    case FieldType::SFColorRGBA: case FieldType::MFColorRGBA: return SlotType::vec4;
+    case FieldType::SFRotation: case FieldType::MFRotation: return SlotType::rotation;
+    case FieldType::SFMatrix3f: case FieldType::MFMatrix3f: case FieldType::SFMatrix3d: case FieldType::MFMatrix3d: return SlotType::mat3;
+    case FieldType::SFMatrix4f: case FieldType::MFMatrix4f: case FieldType::SFMatrix4d: case FieldType::MFMatrix4d: return SlotType::mat4;
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::uint32_t component_count(SlotType type) {
+  switch (type) {
+    case SlotType::bool_: case SlotType::int_: case SlotType::float_: return 1;
+    case SlotType::vec2: return 2;
+    case SlotType::vec3: return 3;
+    case SlotType::vec4: case SlotType::rotation: return 4;
+    case SlotType::mat3: return 9;
+    case SlotType::mat4: return 16;
+  }
+  return 1;
+}
+
+SlotTable::SlotTable(const NodeGraph& graph, std::vector<Slot>& slots) : graph_(graph), slots_(slots) {
+  for (const GraphRoute& route : graph.routes()) routed_.emplace(route.to, route.to_field);
+}
+
+bool SlotTable::is_routed(NodeId node, std::string_view field) const { return routed_.contains({node, field}); }
+
+std::uint32_t SlotTable::add(NodeId node, std::string_view field, const FieldValue& value) {
+  const auto key = std::make_pair(node, field);
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const auto type = slot_type(value.type);
+  if (!type) return kSceneNoSlot;
+  Slot slot;
+  slot.type = *type;
+  slot.values.assign(value.numbers.begin(), value.numbers.end());
+  if (slot.values.empty()) slot.values.assign(component_count(*type), 0.0);
+  slot.count = static_cast<std::uint32_t>(slot.values.size() / component_count(*type));
+  slot.routed = is_routed(node, field);
+  if (!graph_[node].def.empty()) slot.name = fmt::format("{}.{}", graph_[node].def, field);
+  slots_.push_back(std::move(slot));
+  const auto index = static_cast<std::uint32_t>(slots_.size() - 1);
+  known_.emplace(key, index);
+  return index;
+}
+
+std::uint32_t SlotTable::slot(NodeId node, std::string_view field) { return add(node, field, graph_.field(node, field)); }
+
+std::uint32_t SlotTable::slot_if_used(NodeId node, std::string_view field) {
+  return graph_.is_written(node, field) || is_routed(node, field) ? slot(node, field) : kSceneNoSlot;
+}
+
+std::uint32_t SlotTable::interface_slot(NodeId node, const InterfaceField& field) {
+  FieldValue value = field.value;
+  value.type = field.type;
+  return add(node, field.name, value);
+}
+
+std::uint32_t SlotTable::constant(SlotType type, std::vector<double> values) {
+  const auto [found, added] = constants_.try_emplace({type, values}, static_cast<std::uint32_t>(slots_.size()));
+  if (added) slots_.push_back({type, 1, std::move(values), "", false});
+  return found->second;
+}
+
+}  // namespace plugc

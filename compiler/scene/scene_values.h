@@ -1,0 +1,39 @@
+#pragma once
+// Field values as slots: one slot for each (node, field), whoever asks, so that a shared node keeps one set of values.
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/node_graph.h"
+#include "scene/scene.h"
+
+namespace plugc {
+
+class SlotTable {
+ public:
+  SlotTable(const NodeGraph& graph, std::vector<Slot>& slots);
+
+  /// The slot of a field. The node's type must have the field.
+  std::uint32_t slot(NodeId node, std::string_view field);
+  /// The same, or none when nobody wrote the field and no ROUTE leads to it.
+  std::uint32_t slot_if_used(NodeId node, std::string_view field);
+  /// The slot of a node's own interface field; none for types that no uniform takes.
+  std::uint32_t interface_slot(NodeId node, const InterfaceField& field);
+  /// A value that nothing changes; equal ones share a slot.
+  std::uint32_t constant(SlotType type, std::vector<double> values);
+
+  bool is_routed(NodeId node, std::string_view field) const;
+
+ private:
+  std::uint32_t add(NodeId node, std::string_view field, const FieldValue& value);
+  const NodeGraph& graph_;
+  std::vector<Slot>& slots_;
+  std::set<std::pair<NodeId, std::string_view>> routed_;
+  std::map<std::pair<NodeId, std::string_view>, std::uint32_t> known_;
+  std::map<std::pair<SlotType, std::vector<double>>, std::uint32_t> constants_;
+};
+
+}  // namespace plugc

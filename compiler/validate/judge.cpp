@@ -1,0 +1,168 @@
+// A candidate's stages are parsed one by one, so that each one's errors come; only then are they linked, checked for what
+// glslang leaves to drivers, and reflected. Before glslang sees a text, its `#version` is read: that decides whether the
+// text fits the target at all, and glslang is not to be asked for SPIR-V below 330 (it prints its built-ins by the
+// thousand lines).
+// What glslang does not check and drivers do: a fragment input that no earlier stage declares (GLSL 3.30, 4.3.4).
+// A `#line` directive shifts the lines of messages. A failing text that has one is parsed again with its directives made
+// blank, for the places only.
+
+#include "validate/judge.h"
+
+#include <fmt/format.h>
+#include <glslang/MachineIndependent/localintermediate.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+
+#include "validate/glslang_log.h"
+#include "validate/reflect.h"
+#include "validate/version_directive.h"
+
+namespace plugc {
+namespace {
+
+EShLanguage language(ShaderStage stage) {
+  switch (stage) {
+    case ShaderStage::vertex: return EShLangVertex;
+    case ShaderStage::geometry: return EShLangGeometry;
+    case ShaderStage::fragment: return EShLangFragment;
+  }
+  return EShLangVertex;
+}
+
+/// Without cascading errors glslang stops at the first.
+EShMessages message_flags(Target target) {
+  return static_cast<EShMessages>(EShMsgCascadingErrors | (target == Target::spirv ? EShMsgSpvRules : EShMsgDefault));
+}
+
+/// One parsed stage. glslang keeps pointers to the text: neither may move.
+struct ParsedStage {
+  ParsedStage(Target target, ShaderStage kind, std::string_view source) : stage(kind), text(source), shader(language(kind)) {
+    const char* begin = text.data();
+    const int size = static_cast<int>(text.size());
+    shader.setStringsWithLengths(&begin, &size, 1);
+    if (target == Target::spirv) {
+      shader.setEnvInput(glslang::EShSourceGlsl, language(kind), glslang::EShClientOpenGL, 100);
+      shader.setEnvClient(glslang::EShClientOpenGL, glslang::EShTargetOpenGL_450);
+      shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+      shader.setAutoMapBindings(true);
+      shader.setAutoMapLocations(true);
+    }
+    constexpr int kVersionWhereTheTextHasNone = 100;
+    parsed = shader.parse(GetDefaultResources(), kVersionWhereTheTextHasNone, false, message_flags(target));
+  }
+  ParsedStage(const ParsedStage&) = delete;
+  ParsedStage& operator=(const ParsedStage&) = delete;
+
+  ShaderStage stage;
+  std::string text;
+  glslang::TShader shader;
+  bool parsed = false;
+};
+
+/// A log's errors; a failure without a word is one all the same.
+std::vector<VerdictMessage> errors_of(const char* log, ShaderStage stage) {
+  std::vector<VerdictMessage> messages = read_glslang_log(log, stage);
+  if (messages.empty()) messages.push_back({stage, 0, {}, "glslang rejects the program without saying why"});
+  return messages;
+}
+
+std::vector<VerdictMessage> parse_errors(Target target, ParsedStage& stage) {
+  if (stage.parsed) return {};
+  if (std::optional<std::string> blanked = without_line_directives(stage.text)) {
+    ParsedStage again(target, stage.stage, *blanked);
+    // When it passes now, a directive itself was the mistake.
+    if (!again.parsed) return errors_of(again.shader.getInfoLog(), stage.stage);
+  }
+  return errors_of(stage.shader.getInfoLog(), stage.stage);
+}
+
+/// What can be said without glslang.
+std::optional<VerdictMessage> mistake_before_parsing(Target target, const Candidate::Stage& stage) {
+  const std::size_t nul = stage.text.find('\0');
+  if (nul != std::string::npos) {
+    const auto line = 1 + std::count(stage.text.begin(), stage.text.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
+    return VerdictMessage{stage.stage, static_cast<std::uint32_t>(line), {}, "the text holds a zero byte"};
+  }
+  const VersionDirective version = read_version_directive(stage.text);
+  if (fits(version, target)) return std::nullopt;
+  return VerdictMessage{stage.stage, version.line, "#version", mismatch_text(version, target)};
+}
+
+struct Linked {
+  std::deque<ParsedStage> stages;
+  glslang::TProgram program;  // after the stages: it points to them
+
+  const glslang::TIntermediate* tree(std::size_t i) const { return program.getIntermediate(language(stages[i].stage)); }
+};
+
+/// Parses all stages and links them; returns what is wrong.
+std::vector<VerdictMessage> link(const Candidate& candidate, Linked& linked) {
+  std::vector<VerdictMessage> messages;
+  for (const Candidate::Stage& stage : candidate.stages) {
+    ParsedStage& parsed = linked.stages.emplace_back(candidate.target, stage.stage, stage.text);
+    std::ranges::move(parse_errors(candidate.target, parsed), std::back_inserter(messages));
+    linked.program.addShader(&parsed.shader);
+  }
+  if (!messages.empty()) return messages;
+  const bool good =
+      linked.program.link(message_flags(candidate.target)) && (candidate.target != Target::spirv || linked.program.mapIO());
+  if (!good) return errors_of(linked.program.getInfoLog(), candidate.stages.back().stage);
+  for (std::size_t i = 1; i < linked.stages.size(); ++i) {
+    std::ranges::move(
+        find_unwritten_inputs(*linked.tree(i - 1), *linked.tree(i), linked.stages[i].stage, linked.stages[i - 1].stage),
+        std::back_inserter(messages));
+  }
+  return messages;
+}
+
+std::vector<std::uint32_t> make_spirv(const glslang::TIntermediate& tree) {
+  glslang::SpvOptions options;
+  options.disableOptimizer = true;
+  std::vector<std::uint32_t> words;
+  glslang::GlslangToSpv(tree, words, &options);
+  return words;
+}
+
+Verdict judge_linked(const Candidate& candidate) {
+  Verdict verdict;
+  Linked linked;
+  verdict.messages = link(candidate, linked);
+  if (!verdict.valid()) return verdict;
+  linked.program.buildReflection(EShReflectionDefault);
+  verdict.uniforms = reflect_uniforms(linked.program);
+  if (candidate.stages.front().stage == ShaderStage::vertex) verdict.attributes = reflect_attributes(linked.program);
+  if (candidate.target != Target::spirv) return verdict;
+  for (std::size_t i = 0; i < linked.stages.size(); ++i) verdict.spirv.push_back(make_spirv(*linked.tree(i)));
+  return verdict;
+}
+
+const char* version_line(Target target) {
+  return target == Target::essl300 ? "#version 300 es\n" : "#version 330 core\n";
+}
+
+}  // namespace
+
+Verdict judge(const Candidate& candidate) {
+  static const bool initialized = glslang::InitializeProcess();
+  Verdict verdict;
+  if (!initialized) verdict.messages.push_back({ShaderStage::vertex, 0, {}, "glslang cannot be initialized"});
+  for (const Candidate::Stage& stage : candidate.stages) {
+    if (auto mistake = mistake_before_parsing(candidate.target, stage)) verdict.messages.push_back(std::move(*mistake));
+  }
+  if (candidate.stages.empty()) verdict.messages.push_back({ShaderStage::vertex, 0, {}, "the program has no stage"});
+  return verdict.valid() ? judge_linked(candidate) : verdict;
+}
+
+void warm_up(Target target) {
+  const std::string version = version_line(target);
+  judge({target,
+         {{ShaderStage::vertex, version + "void main() { gl_Position = vec4(0.0); }\n"},
+          {ShaderStage::fragment, version + "precision highp float;\nout vec4 color;\nvoid main() { color = vec4(0.0); }\n"}}});
+}
+
+}  // namespace plugc

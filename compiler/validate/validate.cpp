@@ -1,0 +1,120 @@
+// Each program is encoded, which makes equal programs equal strings; each different string is judged once: by the cache, or
+// else by the worker, whose valid verdicts go to the cache. Then every program gets its result: its own texts with the
+// verdict's facts, or the verdict's messages placed in its own texts, as equal texts may come from different authors.
+
+#include "validate/validate.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "base/check.h"
+#include "base/limits.h"
+#include "validate/place_message.h"
+#include "validate/verdict_cache.h"
+#include "validate/worker.h"
+
+namespace plugc {
+namespace {
+
+/// A verdict, or the worker's death. `messages` is not empty when it died.
+struct Judgement {
+  Verdict verdict;
+  bool died = false;
+};
+
+void check_stages(const ProgramText& program) {
+  for (std::size_t i = 1; i < program.stages.size(); ++i) {
+    PLUGC_CHECK(program.stages[i - 1].stage < program.stages[i].stage, "stages are each there once, in pipeline order");
+  }
+}
+
+/// The message for a stage that is not given to glslang at all.
+std::optional<Judgement> too_large(const ProgramText& program) {
+  for (const StageText& stage : program.stages) {
+    if (stage.text.size() <= kMaxStageBytes) continue;
+    Judgement judgement;
+    judgement.verdict.messages.push_back(
+        {stage.stage, 0, {}, fmt::format("the text has {} bytes, plugc takes {}", stage.text.size(), kMaxStageBytes)});
+    return judgement;
+  }
+  return std::nullopt;
+}
+
+Judgement death(const ProgramText& program, std::string text) {
+  Judgement judgement;
+  judgement.died = true;
+  const ShaderStage stage = program.stages.empty() ? ShaderStage::vertex : program.stages.front().stage;
+  judgement.verdict.messages.push_back({stage, 0, {}, std::move(text)});
+  return judgement;
+}
+
+}  // namespace
+
+struct Validator::State {
+  explicit State(ValidatorOptions given)
+      : options(std::move(given)), cache(options.cache_folder), worker(options.warm_targets) {}
+
+  Judgement ask_worker(const ProgramText& program, const std::string& candidate);
+  Judgement judge(const ProgramText& program, const std::string& candidate);
+  static ValidationResult result(ProgramText program, const Judgement& judgement);
+
+  ValidatorOptions options;
+  VerdictCache cache;
+  Worker worker;
+};
+
+Judgement Validator::State::ask_worker(const ProgramText& program, const std::string& candidate) {
+  const Worker::Reply reply = worker.ask(candidate, options.timeout);
+  switch (reply.outcome) {
+    case Worker::Outcome::answered:
+      if (std::optional<Verdict> verdict = decode_verdict(reply.verdict)) return {std::move(*verdict), false};
+      return death(program, "glslang's process answered with nonsense");
+    case Worker::Outcome::crashed: return death(program, "glslang crashed on this program");
+    case Worker::Outcome::late:
+      return death(program, fmt::format("glslang took longer than {} ms on this program", options.timeout.count()));
+    case Worker::Outcome::unavailable: return death(program, "no process for glslang can be started");
+  }
+  return death(program, "");
+}
+
+Judgement Validator::State::judge(const ProgramText& program, const std::string& candidate) {
+  if (std::optional<Judgement> judgement = too_large(program)) return *judgement;
+  if (std::optional<Verdict> verdict = cache.find(candidate)) return {std::move(*verdict), false};
+  Judgement judgement = ask_worker(program, candidate);
+  cache.store(candidate, judgement.verdict);
+  return judgement;
+}
+
+ValidationResult Validator::State::result(ProgramText program, const Judgement& judgement) {
+  ValidationResult result;
+  result.died = judgement.died;
+  for (const VerdictMessage& message : judgement.verdict.messages) result.messages.push_back(place_message(message, program));
+  if (!judgement.verdict.valid()) return result;
+  ValidatedProgram& validated = result.program.emplace(ValidatedProgram());
+  validated.target_ = program.target;
+  validated.stages_ = std::move(program.stages);
+  validated.spirv_ = judgement.verdict.spirv;
+  validated.uniforms_ = judgement.verdict.uniforms;
+  validated.attributes_ = judgement.verdict.attributes;
+  return result;
+}
+
+Validator::Validator(ValidatorOptions options) : state_(std::make_unique<State>(std::move(options))) {}
+Validator::~Validator() = default;
+Validator::Validator(Validator&&) noexcept = default;
+Validator& Validator::operator=(Validator&&) noexcept = default;
+
+std::vector<ValidationResult> Validator::validate(std::vector<ProgramText> programs) {
+  std::map<std::string, Judgement> judged;
+  std::vector<ValidationResult> results;
+  for (ProgramText& program : programs) {
+    check_stages(program);
+    const auto [entry, is_new] = judged.try_emplace(encode(program));
+    if (is_new) entry->second = state_->judge(program, entry->first);
+    results.push_back(State::result(std::move(program), entry->second));
+  }
+  return results;
+}
+
+}  // namespace plugc

@@ -1,0 +1,18 @@
+#pragma once
+// What the children of a Worker do. Neither function returns.
+
+#include <vector>
+
+#include "glsl/stage.h"
+#include "validate/socket.h"
+
+namespace plugc {
+
+/// Forks a worker and sends its socket to the owner, then again for each byte that the owner sends; the worker before is
+/// killed. Ends when the owner's end of `owner` closes.
+[[noreturn]] void run_spawner(Descriptor owner, const std::vector<Target>& warm_targets);
+
+/// Warms up, greets with an empty message, then answers candidates with verdicts until `owner` closes.
+[[noreturn]] void run_worker(Descriptor owner, const std::vector<Target>& warm_targets);
+
+}  // namespace plugc

@@ -1,0 +1,163 @@
+// The camera: a viewpoint's position and axes carried to the world and made rigid again (a scaled viewpoint moves, and
+// does not stretch the picture), or a view of the whole scene. Near and far come from the boxes of what is shown; they
+// need not be safe, because depth is clamped, only well spread.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "runtime/world.h"
+
+namespace plugc {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDefaultFieldOfView = kPi / 4;  // X3D 4.1, 23.4.6
+constexpr double kSmallestAngle = 1e-4;
+constexpr double kLargestAngle = kPi - 1e-3;
+constexpr double kNearestRatio = 1e-4;  // near / far when the eye stands inside of a box: leaves 10 of 24 bits to the far end
+constexpr double kMargin = 1.01;        // rounding in the shader must not cut what the fit just includes
+
+bool usable(const glm::dvec3& vector) {
+  return glm::all(glm::lessThanEqual(glm::abs(vector), glm::dvec3(kLargestLength)));  // false for NaN
+}
+
+/// The unit vector, or `fallback` where there is none.
+glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& fallback) {
+  const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+  if (!usable(vector) || !(largest > 1e-200)) return fallback;
+  return glm::normalize(vector / largest);
+}
+
+/// A fixed unit vector orthogonal to `direction`: made from the axis that it is least along.
+glm::dvec3 any_orthogonal(const glm::dvec3& direction) {
+  const glm::dvec3 size = glm::abs(direction);
+  const glm::dvec3 axis = size.y <= size.x && size.y <= size.z ? glm::dvec3(0, 1, 0)
+                          : size.x <= size.z                   ? glm::dvec3(1, 0, 0)
+                                                               : glm::dvec3(0, 0, 1);
+  return glm::normalize(axis - glm::dot(axis, direction) * direction);
+}
+
+/// Distances along the view at which something is shown: low to high.
+struct DepthRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  double nearest_in_front = std::numeric_limits<double>::infinity();  ///< Of boxes that the eye plane does not cut.
+  bool cut_by_eye = false;
+};
+
+DepthRange depth_range(const World& world, const View& view) {
+  DepthRange range;
+  for (const Box& bounds : world.shape_bounds) {
+    const Box seen = transformed(bounds, view.world_to_eye);
+    if (seen.empty()) continue;
+    const double low = -seen.max.z;
+    const double high = -seen.min.z;
+    range.low = std::min(range.low, low);
+    range.high = std::max(range.high, high);
+    if (low > 0) range.nearest_in_front = std::min(range.nearest_in_front, low);
+    if (low <= 0 && high > 0) range.cut_by_eye = true;
+  }
+  return range;
+}
+
+glm::dmat4 perspective(const DepthRange& range, double angle, double aspect) {
+  double half_height = std::tan(angle / 2);
+  if (aspect < 1) half_height /= aspect;  // fieldOfView is the smaller of both ways
+  const double far = range.high > 0 ? range.high * kMargin : 100.0;
+  const double nearest = range.cut_by_eye ? 0.0 : std::min(range.nearest_in_front / kMargin, far);
+  const double near = std::max(nearest, far * kNearestRatio);
+  const double distance = std::max(far, near * kMargin);
+  return glm::frustum(-near * half_height * aspect, near * half_height * aspect, -near * half_height, near * half_height, near,
+                      distance);
+}
+
+/// `field` is left, bottom, right, top; the shorter way is widened to the picture's shape (X3D 4.1, 23.4.5).
+glm::dmat4 orthographic(const DepthRange& range, glm::dvec4 field, double aspect) {
+  if (!(field.x < field.z && field.y < field.w)) field = {-1, -1, 1, 1};
+  const double width = field.z - field.x;
+  const double height = field.w - field.y;
+  const glm::dvec2 center(0.5 * (field.x + field.z), 0.5 * (field.y + field.w));
+  const glm::dvec2 half(std::max(width, height * aspect) / 2, std::max(height, width / aspect) / 2);
+  const bool any = range.low <= range.high;
+  const double low = any ? range.low : 0.0;
+  const double high = any ? range.high : 1.0;
+  const double margin = std::max({high - low, std::abs(high), std::abs(low), 1e-30}) * (kMargin - 1);
+  return glm::ortho(center.x - half.x, center.x + half.x, center.y - half.y, center.y + half.y, low - margin, high + margin);
+}
+
+double clamped_angle(double angle) {
+  return angle > 0 ? std::clamp(angle, kSmallestAngle, kLargestAngle) : kDefaultFieldOfView;
+}
+
+const PackedViewpoint* find_viewpoint(const PackedScene& scene, const std::string& wanted, Messages& messages) {
+  if (scene.viewpoints()->size() == 0) {
+    if (!wanted.empty()) messages.add("no viewpoint `" + wanted + "`: the scene has none, so the whole of it is shown");
+    return nullptr;
+  }
+  const PackedViewpoint* const first = scene.viewpoints()->Get(0);
+  if (wanted.empty()) return first;
+  for (const PackedViewpoint* viewpoint : *scene.viewpoints()) {
+    if (viewpoint->name()->string_view() == wanted) return viewpoint;
+  }
+  std::uint32_t index = 0;
+  const char* const end = wanted.data() + wanted.size();
+  const auto [stopped, error] = std::from_chars(wanted.data(), end, index);
+  if (error == std::errc() && stopped == end && index < scene.viewpoints()->size()) return scene.viewpoints()->Get(index);
+  messages.add("no viewpoint `" + wanted + "`: the first one is shown; give a DEF name or an index below " +
+               std::to_string(scene.viewpoints()->size()));
+  return first;
+}
+
+/// In front of the scene by twice its mean size.
+View view_of_whole(const Box& bounds) {
+  const glm::dvec3 forward(0, 0, -1);
+  const glm::dvec3 up(0, 1, 0);
+  if (bounds.empty()) return look_along({0, 0, 10}, forward, up);
+  const glm::dvec3 size = bounds.size();
+  const double mean = (size.x + size.y + size.z) / 3;
+  return look_along({bounds.center().x, bounds.center().y, bounds.max.z + 2 * mean}, forward, up);
+}
+
+}  // namespace
+
+View look_along(const glm::dvec3& position, const glm::dvec3& direction, const glm::dvec3& up) {
+  const glm::dvec3 forward = unit_or(direction, {0, 0, -1});
+  const glm::dvec3 wished = unit_or(up, {0, 1, 0});
+  const glm::dvec3 rest = wished - glm::dot(wished, forward) * forward;
+  // Below this the remainder is rounding of two almost parallel vectors: its direction means nothing.
+  const glm::dvec3 straight = glm::length(rest) > 1e-6 ? glm::normalize(rest) : any_orthogonal(forward);
+  const glm::dvec3 right = glm::cross(forward, straight);
+  const glm::dvec3 place = usable(position) ? position : glm::dvec3(0);
+  View view;
+  view.eye_to_world = glm::dmat4(glm::dvec4(right, 0), glm::dvec4(straight, 0), glm::dvec4(-forward, 0), glm::dvec4(place, 1));
+  const glm::dmat4 turn = glm::dmat4(glm::transpose(glm::dmat3(view.eye_to_world)));
+  view.world_to_eye = turn * glm::translate(glm::dmat4(1.0), -place);
+  return view;
+}
+
+View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
+                 Messages& messages) {
+  const PackedViewpoint* const viewpoint = find_viewpoint(scene, wanted, messages);
+  if (viewpoint == nullptr) {
+    View view = view_of_whole(world.bounds);
+    view.projection = perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
+    return view;
+  }
+  const glm::dmat4& place = world.at(viewpoint->transform()).matrix;
+  const glm::dmat3 axes =
+      glm::dmat3(place) * glm::dmat3(rotation_matrix(slots.vector4(viewpoint->orientation(), {0, 0, 1, 0})));
+  const glm::dvec4 position = place * glm::dvec4(slots.vector3(viewpoint->position(), {0, 0, 10}), 1);
+  View view = look_along(glm::dvec3(position), -axes[2], axes[1]);
+  const DepthRange range = depth_range(world, view);
+  view.projection =
+      viewpoint->orthographic()
+          ? orthographic(range, slots.vector4(viewpoint->field_of_view(), {-1, -1, 1, 1}), aspect)
+          : perspective(range, clamped_angle(slots.number(viewpoint->field_of_view(), kDefaultFieldOfView)), aspect);
+  return view;
+}
+
+}  // namespace plugc

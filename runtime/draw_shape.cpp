@@ -1,0 +1,152 @@
+// Bindings say which uniform takes which value; numbers go to the driver as they are computed, samplers get their texture
+// bound to the unit that the program reserved. A sampler that no binding feeds gets a stand-in: an unset one would read
+// unit 0, where a texture of another kind may be bound, and that makes the whole draw an error.
+// The depth pass draws both faces, also of shapes that cull: of a closed solid the nearer face wins the depth test anyway,
+// and an open one casts its shadow from either side.
+
+#include "runtime/draw_shape.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "runtime/gl/mesh.h"
+#include "runtime/gl/pass.h"
+#include "runtime/gl/program.h"
+#include "runtime/uniforms.h"
+
+namespace plugc {
+namespace {
+
+using Bindings = flatbuffers::Vector<const PackedBinding*>;
+
+struct BoundTexture {
+  GLuint texture = 0;
+  GLuint sampler = 0;  ///< 0: the texture's own settings.
+};
+
+bool compares(PackedUniformType type) {
+  return type == PackedUniformType::sampler2DShadow || type == PackedUniformType::samplerCubeShadow;
+}
+
+BoundTexture shadow_texture(LoadedScene& scene, const Pass& pass, std::uint32_t map, PackedUniformType type) {
+  const gl::Texture& texture = scene.shadow_maps[map].texture;
+  const bool drawn = texture && scene.shadow_maps[map].drawn_revision != 0 && pass.shadows && !pass.depth_only;
+  if (drawn && type == PackedUniformType::sampler2DShadow) return {texture.id()};
+  if (drawn && type == PackedUniformType::sampler2D) return {texture.id(), scene.resources.depth_picture_sampler().id()};
+  return {scene.resources.stand_in(type).id()};
+}
+
+BoundTexture find_texture(LoadedScene& scene, const Pass& pass, const PackedBinding& binding, PackedUniformType type,
+                          Messages& messages) {
+  if (binding.source() == PackedSource::shadow_map) return shadow_texture(scene, pass, binding.a(), type);
+  if (binding.source() == PackedSource::texture && !compares(type)) {
+    return {scene.resources.texture(binding.a(), type, messages).id()};
+  }
+  return {scene.resources.stand_in(type).id()};
+}
+
+void bind_sampler(const gl::Functions& gl, const LoadedUniform& uniform, const BoundTexture& bound) {
+  for (std::uint32_t i = 0; i < uniform.count; ++i) {
+    gl::bind_texture(gl, uniform.unit + static_cast<GLint>(i), gl::texture_target(uniform.type), bound.texture, bound.sampler);
+  }
+}
+
+void set_numbers(const gl::Functions& gl, const LoadedUniform& uniform, const PackedBinding& binding,
+                 const UniformInputs& inputs) {
+  const std::vector<float> values = evaluate(binding, uniform.type, uniform.count, inputs);
+  gl::set_uniform(gl, uniform.location, uniform.type, static_cast<GLsizei>(uniform.count), values);
+}
+
+void apply_bindings(const gl::Functions& gl, LoadedScene& scene, const Pass& pass, const LoadedProgram& program,
+                    const Bindings& bindings, const UniformInputs& inputs, Messages& messages) {
+  std::vector<bool> fed(program.uniforms.size(), false);
+  for (const PackedBinding* packed : bindings) {
+    const PackedBinding& binding = *packed;
+    const LoadedUniform& uniform = program.uniforms[binding.uniform()];
+    fed[binding.uniform()] = true;
+    if (uniform.location < 0) continue;
+    if (gl::is_sampler(uniform.type)) {
+      bind_sampler(gl, uniform, find_texture(scene, pass, binding, uniform.type, messages));
+    } else {
+      set_numbers(gl, uniform, binding, inputs);
+    }
+  }
+  for (std::size_t i = 0; i < fed.size(); ++i) {
+    const LoadedUniform& uniform = program.uniforms[i];
+    if (fed[i] || uniform.unit < 0) continue;
+    bind_sampler(gl, uniform, {scene.resources.stand_in(uniform.type).id()});
+  }
+}
+
+gl::DrawState state_of(const PackedShape& shape, const glm::dmat4& object_to_world) {
+  const bool mirrored = glm::determinant(glm::dmat3(object_to_world)) < 0;
+  return {shape.blended(),   shape.blend_source(),         shape.blend_destination(),
+          shape.cull_back(), shape.front_cw() != mirrored, shape.wireframe()};
+}
+
+double distance_from_eye(const Box& bounds, const View& view) {
+  if (bounds.empty()) return 0;
+  const glm::dvec3 seen(view.world_to_eye * glm::dvec4(bounds.center(), 1));
+  const bool orthographic = view.projection[3][3] == 1.0;
+  return orthographic ? -seen.z : glm::length(seen);
+}
+
+bool may_be_seen(const LoadedScene& scene, std::uint32_t shape, const glm::dmat4& world_to_clip) {
+  return !scene.shape(shape).bounds_known() || !outside_sideways(scene.world.shape_bounds[shape], world_to_clip);
+}
+
+}  // namespace
+
+bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t index, Messages& messages) {
+  const PackedShape& shape = scene.shape(index);
+  const gl::Mesh& mesh = scene.resources.mesh(shape.mesh());
+  if (mesh.index_count == 0) return false;
+  const std::uint32_t program_index = pass.depth_only ? static_cast<std::uint32_t>(shape.depth_program()) : shape.program();
+  const LoadedProgram& program = scene.programs.get(program_index, messages);
+  if (!program.program) return false;
+  gl::use_program(functions, program.program);
+  const glm::dmat4& object_to_world = scene.world.at(shape.transform()).matrix;
+  const UniformInputs inputs{*scene.packed,  scene.slots,       scene.world,
+                             pass.view,      pass.shadow_views, pass.depth_only ? &pass.view : nullptr,
+                             object_to_world};
+  apply_bindings(functions, scene, pass, program, pass.depth_only ? *shape.depth_bindings() : *shape.bindings(), inputs,
+                 messages);
+  if (!pass.depth_only) gl::set_draw_state(functions, state_of(shape, object_to_world));
+  gl::draw_mesh(functions, mesh);
+  pass.programs.insert(program_index);
+  return true;
+}
+
+std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view) {
+  const glm::dmat4 world_to_clip = view.projection * view.world_to_eye;
+  std::vector<std::uint32_t> order;
+  std::vector<double> distance(scene.shape_count(), 0);
+  for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
+    if (!scene.world.shape_visible[i] || !may_be_seen(scene, i, world_to_clip)) continue;
+    distance[i] = scene.shape(i).blended() ? distance_from_eye(scene.world.shape_bounds[i], view) : 0;
+    order.push_back(i);
+  }
+  const auto key = [&](std::uint32_t i) {
+    const PackedShape& shape = scene.shape(i);
+    const bool blended = shape.blended();
+    return std::tuple(blended, -distance[i], blended ? 0 : shape.program(), !blended && shape.cull_back(),
+                      !blended && shape.wireframe(), blended ? 0 : shape.mesh());
+  };
+  std::stable_sort(order.begin(), order.end(), [&key](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  return order;
+}
+
+std::vector<std::uint32_t> caster_order(const LoadedScene& scene, const View& view) {
+  const glm::dmat4 world_to_clip = view.projection * view.world_to_eye;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
+    if (casts(*scene.packed, scene.world, i) && may_be_seen(scene, i, world_to_clip)) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&scene](std::uint32_t a, std::uint32_t b) {
+    const auto key = [&scene](std::uint32_t i) { return std::pair(scene.shape(i).depth_program(), scene.shape(i).mesh()); };
+    return key(a) < key(b);
+  });
+  return order;
+}
+
+}  // namespace plugc

@@ -1,0 +1,31 @@
+#pragma once
+// One shape in one pass: its program, its values, its textures, its triangles.
+
+#include <set>
+#include <vector>
+
+#include "runtime/loaded_scene.h"
+#include "runtime/render.h"
+
+namespace plugc {
+
+/// A pass seen from `view`.
+struct Pass {
+  const View& view;
+  bool depth_only = false;           ///< A light's depth map: its view is `view`, and nothing reads a shadow map.
+  bool shadows = true;               ///< False: shadow maps are read as lit.
+  std::vector<View> shadow_views;    ///< One per shadow map.
+  std::set<std::uint32_t> programs;  ///< Used so far.
+};
+
+/// False when nothing was drawn: the driver rejected the program, or the mesh is empty.
+bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t shape, Messages& messages);
+
+/// The visible shapes that the view may show. Opaque ones first, by program, then state, then mesh, so that neighbours
+/// share; then the blended ones from far to near.
+std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view);
+
+/// The shapes to draw into a depth map seen from `view`.
+std::vector<std::uint32_t> caster_order(const LoadedScene& scene, const View& view);
+
+}  // namespace plugc

@@ -1,0 +1,43 @@
+// A copy of the package's slot values, changed in place.
+
+#include "runtime/events.h"
+
+#include <algorithm>
+
+namespace plugc {
+Slots::Slots(const PackedScene& scene)
+    : slots_(scene.slots()), values_(scene.slot_values()->begin(), scene.slot_values()->end()) {}
+
+std::span<const double> Slots::values(std::uint32_t slot) const {
+  if (slot == kNoSlot || slots_ == nullptr || slot >= slots_->size()) return {};
+  const PackedSlot& packed = *slots_->Get(slot);
+  return std::span(values_).subspan(packed.first(), std::size_t{component_count(packed.type())} * packed.count());
+}
+
+std::size_t Slots::element_size(std::uint32_t slot) const {
+  return values(slot).empty() ? 0 : component_count(slots_->Get(slot)->type());
+}
+
+double Slots::component(std::uint32_t slot, std::size_t index, double fallback) const {
+  const std::span<const double> all = values(slot);
+  return index < all.size() ? all[index] : fallback;
+}
+
+glm::dvec3 Slots::vector3(std::uint32_t slot, const glm::dvec3& fallback) const {
+  return {component(slot, 0, fallback.x), component(slot, 1, fallback.y), component(slot, 2, fallback.z)};
+}
+
+glm::dvec4 Slots::vector4(std::uint32_t slot, const glm::dvec4& fallback) const {
+  return {vector3(slot, fallback), component(slot, 3, fallback.w)};
+}
+
+bool Slots::set(std::uint32_t slot, std::span<const double> changed) {
+  const std::span<const double> old = values(slot);
+  if (old.empty() || old.size() != changed.size()) return false;
+  if (std::equal(old.begin(), old.end(), changed.begin())) return true;
+  std::copy(changed.begin(), changed.end(), values_.begin() + slots_->Get(slot)->first());
+  ++revision_;
+  return true;
+}
+
+}  // namespace plugc

@@ -1,0 +1,56 @@
+// The package's bytes go to the GPU as they are; a stream becomes an attribute pointer at its semantic's fixed location.
+
+#include "runtime/gl/mesh.h"
+
+#include "runtime/gl/program.h"
+
+namespace plugc::gl {
+namespace {
+
+GLenum topology_of(PackedTopology topology) {
+  switch (topology) {
+    case PackedTopology::triangles: return GL_TRIANGLES;
+    case PackedTopology::lines: return GL_LINES;
+    case PackedTopology::points: return GL_POINTS;
+  }
+  return GL_TRIANGLES;
+}
+
+Buffer upload_buffer(const Functions& gl, GLenum target, const void* data, std::size_t bytes) {
+  Buffer buffer = generate<Buffer>(gl, gl.GenBuffers);
+  gl.BindBuffer(target, buffer.id());
+  gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  return buffer;
+}
+
+void point_at_stream(const Functions& gl, const PackedStream& stream, std::uint32_t stride) {
+  const GLint location = attribute_location(stream.semantic(), stream.unit());
+  if (location < 0) return;
+  const auto* const offset = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(stream.offset()));
+  gl.EnableVertexAttribArray(static_cast<GLuint>(location));
+  gl.VertexAttribPointer(static_cast<GLuint>(location), stream.components(), GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                         offset);
+}
+
+}  // namespace
+
+Mesh upload_mesh(const Functions& gl, const PackedMesh& packed) {
+  Mesh mesh;
+  mesh.topology = topology_of(packed.topology());
+  mesh.index_count = static_cast<GLsizei>(packed.indices()->size());
+  mesh.vertex_array = generate<VertexArray>(gl, gl.GenVertexArrays);
+  gl.BindVertexArray(mesh.vertex_array.id());
+  mesh.vertices = upload_buffer(gl, GL_ARRAY_BUFFER, packed.vertices()->data(), packed.vertices()->size());
+  mesh.indices = upload_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, packed.indices()->data(),
+                               std::size_t{packed.indices()->size()} * sizeof(std::uint32_t));
+  for (const PackedStream* stream : *packed.streams()) point_at_stream(gl, *stream, packed.stride());
+  gl.BindVertexArray(0);
+  return mesh;
+}
+
+void draw_mesh(const Functions& gl, const Mesh& mesh) {
+  gl.BindVertexArray(mesh.vertex_array.id());
+  gl.DrawElements(mesh.topology, mesh.index_count, GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace plugc::gl

@@ -1,0 +1,33 @@
+#pragma once
+// The fixed-function state of a pass and of a draw. Few variants on purpose: llvmpipe generates code again for each new
+// blend state.
+
+#include <array>
+
+#include "package/package_file.h"
+#include "runtime/gl/objects.h"
+
+namespace plugc::gl {
+
+/// Once a context: what a vertex input reads where the mesh has no such stream (normal 0 0 1, colour white, tangent
+/// 1 0 0, texture coordinates 0 0 0 1), and cube maps without seams.
+void set_context_defaults(const Functions& gl);
+
+/// Colour and depth cleared, depth test on, depth clamped instead of clipped. Binds the framebuffer.
+void begin_color_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei width, GLsizei height,
+                      const std::array<float, 3>& background);
+
+/// Depth cleared to the far plane, both faces drawn, moved away by glPolygonOffset(scale, bias).
+void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size, float scale, float bias);
+
+struct DrawState {
+  bool blended = false;
+  PackedBlendFactor blend_source = PackedBlendFactor::one;
+  PackedBlendFactor blend_destination = PackedBlendFactor::zero;
+  bool cull_back = false;
+  bool front_clockwise = false;
+  bool wireframe = false;
+};
+void set_draw_state(const Functions& gl, const DrawState& state);
+
+}  // namespace plugc::gl

@@ -1,0 +1,29 @@
+#pragma once
+// What is drawn into: a picture with depth, or a depth texture alone.
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/gl/objects.h"
+
+namespace plugc::gl {
+
+struct ColorTarget {
+  Framebuffer framebuffer;
+  Renderbuffer color;
+  Renderbuffer depth;
+  GLsizei width = 0;
+  GLsizei height = 0;
+};
+/// No framebuffer when the driver cannot give one of that size.
+ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height);
+
+/// A framebuffer whose depth is `texture` and that has no colour.
+Framebuffer make_depth_target(const Functions& gl, const Texture& texture);
+
+GLsizei max_target_side(const Functions& gl);
+
+/// RGBA, 8 bits, rows from the bottom up. The target must be bound.
+std::vector<std::uint8_t> read_rgba(const Functions& gl, GLsizei width, GLsizei height);
+
+}  // namespace plugc::gl

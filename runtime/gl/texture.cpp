@@ -1,0 +1,172 @@
+// Every picture becomes RGBA8, whatever its channels: each further texture format costs llvmpipe another code generation
+// per program (some 300 ms). One and two channels are grey and grey with alpha (X3D 4.1, 5.3.7).
+// Depth maps are 24 bit fixed point, because only there OpenGL clamps the reference depth to 0..1 before it compares: what
+// lies beyond the far plane is then compared with 1, and lit where nothing was drawn.
+
+#include "runtime/gl/texture.h"
+
+#include <array>
+#include <vector>
+
+namespace plugc::gl {
+namespace {
+
+constexpr std::array<std::uint8_t, 4> kWhite = {255, 255, 255, 255};
+constexpr std::array<GLuint, 1> kFar = {0xFFFFFFFF};
+constexpr int kCubeFaces = 6;
+
+/// A new texture, bound to the unit that no program reads: an upload in the middle of a draw disturbs nothing.
+Texture begin_texture(const Functions& gl, GLenum target) {
+  Texture texture = generate<Texture>(gl, gl.GenTextures);
+  gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kUploadUnit));
+  gl.BindTexture(target, texture.id());
+  return texture;
+}
+
+GLint wrap_of(PackedWrap wrap) {
+  switch (wrap) {
+    case PackedWrap::repeat: return GL_REPEAT;
+    case PackedWrap::clamp_to_edge: return GL_CLAMP_TO_EDGE;
+    case PackedWrap::mirrored_repeat: return GL_MIRRORED_REPEAT;
+  }
+  return GL_REPEAT;
+}
+
+GLint filter_of(PackedFilter filter) {
+  switch (filter) {
+    case PackedFilter::nearest: return GL_NEAREST;
+    case PackedFilter::linear: return GL_LINEAR;
+    case PackedFilter::linear_mipmap_linear: return GL_LINEAR_MIPMAP_LINEAR;
+    case PackedFilter::nearest_mipmap_nearest: return GL_NEAREST_MIPMAP_NEAREST;
+  }
+  return GL_LINEAR;
+}
+
+bool has_mipmaps(PackedFilter filter) {
+  return filter >= PackedFilter::linear_mipmap_linear;
+}
+
+std::vector<std::uint8_t> expand_to_rgba(const PackedImage& image, std::size_t pixel_count) {
+  const std::uint8_t* const pixels = image.pixels()->data();
+  const std::size_t channels = image.channels();
+  std::vector<std::uint8_t> rgba(pixel_count * 4);
+  for (std::size_t i = 0; i < pixel_count; ++i) {
+    const std::uint8_t* const from = pixels + i * channels;
+    const bool grey = channels < 3;
+    rgba[i * 4] = from[0];
+    rgba[i * 4 + 1] = grey ? from[0] : from[1];
+    rgba[i * 4 + 2] = grey ? from[0] : from[2];
+    rgba[i * 4 + 3] = channels == 2 ? from[1] : channels == 4 ? from[3] : 255;
+  }
+  return rgba;
+}
+
+void set_filters(const Functions& gl, GLenum target, GLint minification, GLint magnification) {
+  gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, minification);
+  gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, magnification);
+}
+
+void set_wrap(const Functions& gl, GLenum target, GLint s, GLint t, GLint r) {
+  gl.TexParameteri(target, GL_TEXTURE_WRAP_S, s);
+  gl.TexParameteri(target, GL_TEXTURE_WRAP_T, t);
+  gl.TexParameteri(target, GL_TEXTURE_WRAP_R, r);
+}
+
+void upload_slices(const Functions& gl, GLenum target, GLsizei width, GLsizei height, GLsizei depth, const std::uint8_t* rgba) {
+  if (target == GL_TEXTURE_3D) {
+    gl.TexImage3D(target, 0, GL_RGBA8, width, height, depth, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  } else if (target == GL_TEXTURE_CUBE_MAP) {
+    const std::size_t face_bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
+    for (int face = 0; face < kCubeFaces; ++face) {
+      gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), 0, GL_RGBA8, width, height, 0, GL_RGBA,
+                    GL_UNSIGNED_BYTE, rgba + static_cast<std::size_t>(face) * face_bytes);
+    }
+  } else {
+    gl.TexImage2D(target, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  }
+}
+
+/// Memory for every face, at the far plane when one texel.
+void allocate_depth(const Functions& gl, GLenum target, GLsizei size, const void* data) {
+  const int faces = target == GL_TEXTURE_CUBE_MAP ? kCubeFaces : 1;
+  const GLenum first = target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : target;
+  for (int face = 0; face < faces; ++face) {
+    gl.TexImage2D(first + static_cast<GLenum>(face), 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT,
+                  GL_UNSIGNED_INT, data);
+  }
+}
+
+Texture make_compared_texture(const Functions& gl, GLenum target, GLsizei size, const void* data) {
+  Texture texture = begin_texture(gl, target);
+  allocate_depth(gl, target, size, data);
+  set_filters(gl, target, GL_LINEAR, GL_LINEAR);
+  const GLint wrap = target == GL_TEXTURE_2D ? GL_CLAMP_TO_BORDER : GL_CLAMP_TO_EDGE;
+  set_wrap(gl, target, wrap, wrap, wrap);
+  constexpr std::array<GLfloat, 4> lit = {1, 1, 1, 1};
+  gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, lit.data());
+  gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  return texture;
+}
+
+}  // namespace
+
+GLenum texture_target(PackedUniformType sampler) {
+  switch (sampler) {
+    case PackedUniformType::sampler3D: return GL_TEXTURE_3D;
+    case PackedUniformType::samplerCube:
+    case PackedUniformType::samplerCubeShadow: return GL_TEXTURE_CUBE_MAP;
+    default: return GL_TEXTURE_2D;
+  }
+}
+
+Texture upload_texture(const Functions& gl, const PackedTexture& texture, const PackedImage& image, PackedUniformType sampler) {
+  const GLenum target = texture_target(sampler);
+  const std::size_t pixel_count = std::size_t{image.width()} * image.height() * image.depth();
+  if (pixel_count == 0) return {};
+  if (target == GL_TEXTURE_CUBE_MAP && (image.depth() != kCubeFaces || image.width() != image.height())) return {};
+  Texture handle = begin_texture(gl, target);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  upload_slices(gl, target, static_cast<GLsizei>(image.width()), static_cast<GLsizei>(image.height()),
+                static_cast<GLsizei>(image.depth()), expand_to_rgba(image, pixel_count).data());
+  set_filters(gl, target, filter_of(texture.minification()),
+              has_mipmaps(texture.magnification()) ? GL_LINEAR : filter_of(texture.magnification()));
+  set_wrap(gl, target, wrap_of(texture.wrap_s()), wrap_of(texture.wrap_t()), GL_REPEAT);
+  if (has_mipmaps(texture.minification())) gl.GenerateMipmap(target);
+  return handle;
+}
+
+Texture make_white_texture(const Functions& gl, GLenum target) {
+  Texture texture = begin_texture(gl, target);
+  std::array<std::uint8_t, kWhite.size() * kCubeFaces> pixels{};
+  pixels.fill(kWhite[0]);
+  upload_slices(gl, target, 1, 1, 1, pixels.data());
+  set_filters(gl, target, GL_LINEAR, GL_LINEAR);
+  return texture;
+}
+
+Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size) {
+  return make_compared_texture(gl, target, size, nullptr);
+}
+
+Texture make_lit_texture(const Functions& gl, GLenum target) {
+  return make_compared_texture(gl, target, 1, kFar.data());
+}
+
+Sampler make_depth_picture_sampler(const Functions& gl) {
+  Sampler sampler = generate<Sampler>(gl, gl.GenSamplers);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return sampler;
+}
+
+void bind_texture(const Functions& gl, GLint unit, GLenum target, GLuint texture, GLuint sampler) {
+  gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  gl.BindTexture(target, texture);
+  gl.BindSampler(static_cast<GLuint>(unit), sampler);
+}
+
+}  // namespace plugc::gl

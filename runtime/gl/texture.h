@@ -1,0 +1,33 @@
+#pragma once
+// Textures: pictures of a package, depth maps, and the stand-ins for what is missing.
+
+#include "package/package_file.h"
+#include "runtime/gl/objects.h"
+
+namespace plugc::gl {
+
+/// Programs use the units below. OpenGL 3.3 guarantees 48.
+inline constexpr GLint kUploadUnit = 47;
+
+/// The texture target that a sampler of that type reads.
+GLenum texture_target(PackedUniformType sampler);
+
+/// A picture as that sampler type sees it: 2D takes the first slice, 3D all, a cube six slices (+x -x +y -y +z -z).
+/// No name when the picture does not fit (no pixels, a cube of other than six square slices).
+Texture upload_texture(const Functions& gl, const PackedTexture& texture, const PackedImage& image, PackedUniformType sampler);
+
+/// One white texel, for samplers that nothing feeds.
+Texture make_white_texture(const Functions& gl, GLenum target);
+
+/// A square depth texture that compares (2x2 by the hardware), and is lit outside its border. `target` 2D or cube.
+Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size);
+/// One texel at the far plane: shadows nothing.
+Texture make_lit_texture(const Functions& gl, GLenum target);
+
+/// Reads a depth texture as a grey picture: no comparison.
+Sampler make_depth_picture_sampler(const Functions& gl);
+
+/// Binds to a unit; `sampler` 0 for the texture's own settings.
+void bind_texture(const Functions& gl, GLint unit, GLenum target, GLuint texture, GLuint sampler);
+
+}  // namespace plugc::gl

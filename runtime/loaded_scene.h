@@ -1,0 +1,28 @@
+#pragma once
+// One scene ready to be drawn: its values, where everything is, and what the GPU holds of it.
+
+#include <vector>
+
+#include "runtime/events.h"
+#include "runtime/program_pool.h"
+#include "runtime/resource_pool.h"
+#include "runtime/shadow_map.h"
+#include "runtime/world.h"
+
+namespace plugc {
+
+struct LoadedScene {
+  const Package* package = nullptr;
+  const PackedScene* packed = nullptr;
+  Slots slots;
+  World world;  ///< As of `placed_revision` of the slots.
+  std::uint64_t placed_revision = 0;
+  ProgramPool programs;
+  ResourcePool resources;
+  std::vector<ShadowMap> shadow_maps;
+
+  std::uint32_t shape_count() const { return packed->shapes()->size(); }
+  const PackedShape& shape(std::uint32_t index) const { return *packed->shapes()->Get(index); }
+};
+
+}  // namespace plugc

@@ -1,0 +1,216 @@
+// Directional: turn the world so that the light looks along -z; there take the rectangle of what receives, cut to the
+// rectangle of what casts (outside of it nothing can be shadowed, so a ground plane wastes nothing), one texel wider.
+// Depth runs from the nearest box to the last receiver; what casts from before is clamped to the near plane.
+// Spot: the cone's angle is known, only near and far are fitted, and near stays above a thousandth of far.
+// Numbers that are not usable leave by one door: `checked` replaces a projection that is not finite.
+
+#include "runtime/projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace plugc {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kSmallestSpotAngle = 1e-3;
+constexpr double kLargestSpotAngle = 0.95 * kPi;  // X3D's default cutOffAngle of pi/2 would ask for 180 degrees
+constexpr double kNearestSpotRatio = 1e-3;        // near / far
+constexpr double kDepthMargin = 0.01;             // of the fitted range, on both ends
+constexpr double kThinnest = 1e-6;                // a range of a flat scene, relative to its distance
+constexpr double kSmallestLength = 1e-30;         // below it, squares and reciprocals leave the range of floats
+
+struct Range {
+  double low = 0;
+  double high = 0;
+};
+
+/// The range with a margin, and never empty: a flat scene gets a thickness that its distance can resolve.
+Range widened(Range range, double margin) {
+  const double reach = std::max({std::abs(range.low), std::abs(range.high), kSmallestLength});
+  const double extra = std::max((range.high - range.low) * margin, reach * kThinnest);
+  return {range.low - extra, range.high + extra};
+}
+
+Box box_in(const std::vector<PlacedBox>& boxes, const glm::dmat4& world_to_light) {
+  Box all;
+  for (const PlacedBox& placed : boxes) all = join(all, transformed(placed.box, world_to_light * placed.to_world));
+  return all;
+}
+
+bool finite_as_float(const glm::dmat4& matrix) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      if (!(std::abs(matrix[column][row]) <= static_cast<double>(std::numeric_limits<float>::max()))) return false;
+    }
+  }
+  return true;
+}
+
+View checked(const View& view) {
+  if (finite_as_float(view.world_to_eye) && finite_as_float(view.projection) &&
+      finite_as_float(view.projection * view.world_to_eye)) {
+    return view;
+  }
+  View fallback = look_along(glm::dvec3(0), {0, 0, -1}, {0, 1, 0});
+  fallback.projection = glm::ortho(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  return fallback;
+}
+
+/// Distances along the direction. What the author wrote wins.
+Range chosen(const LightFrame& light, Range fitted) {
+  if (light.near > 0) fitted.low = light.near;
+  if (light.far > 0) fitted.high = light.far;
+  if (fitted.low < fitted.high) return fitted;
+  if (light.far > 0 && light.near <= 0) return {light.far * kNearestSpotRatio, light.far};
+  return {fitted.low, fitted.low + std::max(std::abs(fitted.low), kSmallestLength)};
+}
+
+/// True for a flat shape behind which, seen from the light, nothing receives: a ground that everything stands on. It
+/// cannot shadow itself either, so it takes no part in the rectangle, though as a caster it may be the largest.
+bool shadows_nothing(const PlacedBox& caster, const glm::dvec3& direction, const Box& receivers) {
+  const glm::dvec3 size = caster.box.size();
+  const double thin = kThinnest * std::max({size.x, size.y, size.z});
+  const int axis = size.x <= thin ? 0 : size.y <= thin ? 1 : size.z <= thin ? 2 : -1;
+  if (axis < 0 || receivers.empty()) return false;
+  const glm::dmat3 axes(caster.to_world);
+  glm::dvec3 normal = glm::normalize(glm::cross(axes[(axis + 1) % 3], axes[(axis + 2) % 3]));
+  if (glm::dot(normal, direction) > 0) normal = -normal;
+  const glm::dvec3 center(caster.to_world * glm::dvec4(caster.box.center(), 1));
+  const double rounding = kThinnest * glm::length(receivers.size());
+  const auto all = corners(receivers);
+  return std::all_of(all.begin(), all.end(),
+                     [&](const glm::dvec3& corner) { return glm::dot(normal, corner - center) >= -rounding; });
+}
+
+/// The casters that can shadow a receiver.
+std::vector<PlacedBox> effective_casters(const FitInput& input, const glm::dvec3& direction) {
+  const Box receivers = box_in(input.receivers, glm::dmat4(1.0));
+  std::vector<PlacedBox> casters;
+  std::copy_if(input.casters.begin(), input.casters.end(), std::back_inserter(casters),
+               [&](const PlacedBox& caster) { return !shadows_nothing(caster, direction, receivers); });
+  return casters;
+}
+
+View fit_directional(const LightFrame& light, const FitInput& input) {
+  View view = look_along(light.location, light.direction, light.up);
+  const glm::dvec3 direction(-view.eye_to_world[2]);
+  const Box casters = box_in(input.may_move ? input.casters : effective_casters(input, direction), view.world_to_eye);
+  const Box receivers = box_in(input.receivers, view.world_to_eye);
+  Box around = join(casters, receivers);
+  if (around.empty()) around = {glm::dvec3(-1), glm::dvec3(1)};
+  const Box shadowed = intersect(casters, receivers);
+  const bool cut = !input.may_move && shadowed.min.x <= shadowed.max.x && shadowed.min.y <= shadowed.max.y;
+  const Box& fitted = cut ? shadowed : around;
+
+  glm::dvec4 rectangle = light.rectangle;
+  if (rectangle == glm::dvec4(0)) {
+    const double texel = 1.0 / std::max(light.map_size, 16U);
+    const Range x = widened({fitted.min.x, fitted.max.x}, texel);
+    const Range y = widened({fitted.min.y, fitted.max.y}, texel);
+    rectangle = {x.low, y.low, x.high, y.high};
+  }
+  const double first = -around.max.z;
+  const double last_receiver = receivers.empty() ? -around.min.z : -receivers.min.z;
+  // Where the location is computed too, it lies where the boxes begin, and written distances count from there.
+  const double start = light.located ? 0 : first;
+  Range depth = widened({first, std::max(last_receiver, first)}, kDepthMargin);
+  depth = chosen(light, {depth.low - start, depth.high - start});
+  view.projection = glm::ortho(rectangle.x, rectangle.z, rectangle.y, rectangle.w, depth.low + start, depth.high + start);
+  return view;
+}
+
+/// The nearest depth in front of the light at which a box begins; 0 when the light stands beside or inside one.
+double nearest_depth(const std::vector<PlacedBox>& boxes, const glm::dmat4& world_to_light, double nearest) {
+  for (const PlacedBox& placed : boxes) {
+    const Box seen = transformed(placed.box, world_to_light * placed.to_world);
+    if (seen.empty() || -seen.min.z <= 0) continue;
+    nearest = std::min(nearest, std::max(-seen.max.z, 0.0));
+  }
+  return nearest;
+}
+
+View fit_spot(const LightFrame& light, const FitInput& input) {
+  View view = look_along(light.location, light.direction, light.up);
+  const Box receivers = box_in(input.receivers, view.world_to_eye);
+  const double last_receiver = receivers.empty() ? 0 : -receivers.min.z;
+  const double far = last_receiver > kSmallestLength ? last_receiver * (1 + kDepthMargin) : 1.0;
+  const double nearest =
+      nearest_depth(input.receivers, view.world_to_eye, nearest_depth(input.casters, view.world_to_eye, far));
+  Range depth = chosen(light, {nearest * (1 - kDepthMargin), far});
+  depth.low = light.near > 0 ? depth.low : std::max(depth.low, depth.high * kNearestSpotRatio);
+  const double half = depth.low * std::tan(std::clamp(light.angle, kSmallestSpotAngle, kLargestSpotAngle) / 2);
+  view.projection = glm::frustum(-half, half, -half, half, depth.low, depth.high);
+  return view;
+}
+
+std::string title(const PackedLight& light) {
+  return light.name()->size() == 0 ? "a light" : "the light `" + light.name()->str() + "`";
+}
+
+void check_distances(LightFrame& frame, const PackedLight& light, Messages& messages) {
+  if (!(frame.near >= 0 && frame.near <= kLargestLength)) {
+    messages.add("`projectionNear` of " + title(light) + " is no distance: it is computed instead");
+    frame.near = 0;
+  }
+  if (frame.far != 0 && !(frame.far > frame.near && frame.far <= kLargestLength)) {
+    messages.add("`projectionFar` of " + title(light) + " is not behind `projectionNear`: both are computed instead");
+    frame.near = frame.far = 0;
+  }
+}
+
+void check_rectangle(LightFrame& frame, const PackedLight& light, Messages& messages) {
+  const glm::dvec4& r = frame.rectangle;
+  const bool usable = r.x < r.z && r.y < r.w && glm::all(glm::lessThanEqual(glm::abs(r), glm::dvec4(kLargestLength)));
+  if (r == glm::dvec4(0) || usable) return;
+  messages.add("`projectionRectangle` of " + title(light) + " is empty (left, bottom, right, top): it is computed instead");
+  frame.rectangle = glm::dvec4(0);
+}
+
+/// `up` zero is +y of the light's own space, carried to the world like any direction.
+glm::dvec3 up_of(const glm::dmat4& place, const glm::dvec3& written) {
+  return glm::dmat3(place) * (written == glm::dvec3(0) ? glm::dvec3(0, 1, 0) : written);
+}
+
+}  // namespace
+
+LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, const Slots& slots, const World& world,
+                       Messages& messages) {
+  const PackedLight& light = *scene.lights()->Get(map.light());
+  const glm::dmat4& place = world.at(light.transform()).matrix;
+  const double longer = average_scale(place);
+  LightFrame frame;
+  frame.kind = light.kind();
+  frame.map_size = map.size();
+  frame.direction = glm::dmat3(place) * slots.vector3(light.direction(), {0, 0, -1});
+  frame.up = up_of(place, slots.vector3(map.up(), glm::dvec3(0)));
+  frame.near = slots.number(map.near(), 0) * longer;
+  frame.far = slots.number(map.far(), 0) * longer;
+  const bool spot = light.kind() == PackedLightKind::spot;
+  const double cut_off = slots.number(light.cut_off_angle(), kPi / 2);
+  const double angle = slots.number(map.angle(), 0);
+  frame.angle = angle > 0 ? angle : 2 * cut_off;
+  if (!std::isfinite(frame.angle)) frame.angle = kLargestSpotAngle;
+  if (!spot) frame.rectangle = slots.vector4(map.rectangle(), glm::dvec4(0)) * longer;
+  check_distances(frame, light, messages);
+  check_rectangle(frame, light, messages);
+  const glm::dvec3 own = slots.vector3(spot ? light.location() : map.location(), glm::dvec3(0));
+  frame.location = glm::dvec3(place * glm::dvec4(own, 1));
+  frame.located = own != glm::dvec3(0) || frame.rectangle != glm::dvec4(0);
+  return frame;
+}
+
+View fit_light(const LightFrame& light, const FitInput& input) {
+  return checked(light.kind == PackedLightKind::spot ? fit_spot(light, input) : fit_directional(light, input));
+}
+
+glm::dmat4 world_to_texture(const View& light) {
+  const glm::dmat4 halve = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5));
+  return halve * light.projection * light.world_to_eye;
+}
+
+}  // namespace plugc

@@ -1,0 +1,13 @@
+#pragma once
+// From the GPU's picture to the caller's.
+
+#include "runtime/gl/target.h"
+#include "runtime/render.h"
+
+namespace plugc {
+
+/// The target must be bound. Alpha is 255 throughout: an X3D background is opaque, like the window it stands for, however
+/// the shaders in front of it left their alpha.
+Picture read_back(const gl::Functions& functions, const gl::ColorTarget& target);
+
+}  // namespace plugc

@@ -1,0 +1,42 @@
+// Lookup, upload when absent, hand out a reference. Nothing is dropped before the scene is.
+
+#include "runtime/resource_pool.h"
+
+namespace plugc {
+
+ResourcePool::ResourcePool(const gl::Functions& functions, const Package& package)
+    : gl_(&functions), package_(&package), meshes_(package.meshes()->size()) {}
+
+const gl::Mesh& ResourcePool::mesh(std::uint32_t index) {
+  std::optional<gl::Mesh>& slot = meshes_[index];
+  if (!slot) slot = gl::upload_mesh(*gl_, *package_->meshes()->Get(index));
+  return *slot;
+}
+
+const gl::Texture& ResourcePool::texture(std::uint32_t index, PackedUniformType sampler, Messages& messages) {
+  gl::Texture& texture = textures_[{index, gl::texture_target(sampler)}];
+  if (texture) return texture;
+  const PackedTexture& packed = *package_->textures()->Get(index);
+  texture = gl::upload_texture(*gl_, packed, *package_->images()->Get(packed.image()), sampler);
+  if (!texture) {
+    messages.add("texture " + std::to_string(index) + " does not fit the sampler that reads it: it is white");
+    texture = gl::make_white_texture(*gl_, gl::texture_target(sampler));
+  }
+  return texture;
+}
+
+const gl::Texture& ResourcePool::stand_in(PackedUniformType sampler) {
+  gl::Texture& texture = stand_ins_[sampler];
+  if (texture) return texture;
+  const bool compares = sampler == PackedUniformType::sampler2DShadow || sampler == PackedUniformType::samplerCubeShadow;
+  const GLenum target = gl::texture_target(sampler);
+  texture = compares ? gl::make_lit_texture(*gl_, target) : gl::make_white_texture(*gl_, target);
+  return texture;
+}
+
+const gl::Sampler& ResourcePool::depth_picture_sampler() {
+  if (!depth_picture_sampler_) depth_picture_sampler_ = gl::make_depth_picture_sampler(*gl_);
+  return depth_picture_sampler_;
+}
+
+}  // namespace plugc

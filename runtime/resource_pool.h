@@ -1,0 +1,36 @@
+#pragma once
+// Meshes and textures of a package on the GPU, uploaded when first asked for and shared by all shapes.
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "runtime/gl/mesh.h"
+#include "runtime/gl/texture.h"
+#include "runtime/messages.h"
+
+namespace plugc {
+
+class ResourcePool {
+ public:
+  ResourcePool() = default;
+  ResourcePool(const gl::Functions& functions, const Package& package);
+
+  const gl::Mesh& mesh(std::uint32_t index);
+  /// The texture as that sampler type reads it; white where the picture does not fit, which is reported.
+  const gl::Texture& texture(std::uint32_t index, PackedUniformType sampler, Messages& messages);
+  /// What a sampler reads that nothing feeds: white, or lit for one that compares.
+  const gl::Texture& stand_in(PackedUniformType sampler);
+  const gl::Sampler& depth_picture_sampler();
+
+ private:
+  const gl::Functions* gl_ = nullptr;
+  const Package* package_ = nullptr;
+  std::vector<std::optional<gl::Mesh>> meshes_;
+  std::map<std::pair<std::uint32_t, GLenum>, gl::Texture> textures_;  ///< One picture can be read as 2D and as 3D.
+  std::map<PackedUniformType, gl::Texture> stand_ins_;
+  gl::Sampler depth_picture_sampler_;
+};
+
+}  // namespace plugc

@@ -1,0 +1,106 @@
+// Textures are made once, with the scene. A map is fitted and drawn again when a slot has changed since it was drawn last:
+// a coarse rule and a safe one, for a package has no other moving part. The view is kept with the map, so that a map that
+// is drawn once (`next_frame_only`) goes on being looked up where its light stood then.
+
+#include "runtime/shadow_map.h"
+
+#include <algorithm>
+
+#include "base/limits.h"
+
+namespace plugc {
+namespace {
+
+GLsizei usable_size(std::uint32_t wanted, GLsizei largest, Messages& messages) {
+  const auto limit = std::min(kMaxShadowMapSide, static_cast<std::uint32_t>(largest));
+  const std::uint32_t size = std::clamp(wanted, 1U, limit);
+  if (size != wanted) {
+    messages.add("a shadow map cannot have the size " + std::to_string(wanted) + ": it gets " + std::to_string(size));
+  }
+  return static_cast<GLsizei>(size);
+}
+
+bool receives(const PackedShape& shape, std::uint32_t map) {
+  return std::find(shape.receives()->begin(), shape.receives()->end(), map) != shape.receives()->end();
+}
+
+/// A shape may also show the map as a texture without being shadowed by it.
+bool reads(const PackedShape& shape, std::uint32_t map) {
+  if (receives(shape, map)) return true;
+  return std::any_of(shape.bindings()->begin(), shape.bindings()->end(), [map](const PackedBinding* binding) {
+    return binding->source() == PackedSource::shadow_map && binding->a() == map;
+  });
+}
+
+std::vector<std::uint32_t> find_readers(const PackedScene& scene, std::uint32_t map) {
+  std::vector<std::uint32_t> readers;
+  const std::uint32_t shape_count = scene.shapes()->size();
+  for (std::uint32_t i = 0; i < shape_count; ++i) {
+    if (reads(*scene.shapes()->Get(i), map)) readers.push_back(i);
+  }
+  return readers;
+}
+
+ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap& packed, const PackedLight& light,
+                          Messages& messages) {
+  ShadowMap map;
+  if (packed.update() == PackedShadowUpdate::none) return map;
+  if (light.kind() == PackedLightKind::point) {
+    messages.add("point lights cast no shadows yet: what the light `" + light.name()->str() + "` reaches stays lit");
+    return map;
+  }
+  map.size = usable_size(packed.size(), gl::max_target_side(functions), messages);
+  map.texture = gl::make_depth_texture(functions, GL_TEXTURE_2D, map.size);
+  map.framebuffer = gl::make_depth_target(functions, map.texture);
+  return map;
+}
+
+/// The boxes of all casters, and of the shapes that map `index` shadows.
+FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index) {
+  FitInput input;
+  const std::uint32_t shape_count = scene.shapes()->size();
+  for (std::uint32_t i = 0; i < shape_count; ++i) {
+    if (!world.shape_visible[i]) continue;
+    const PackedShape& shape = *scene.shapes()->Get(i);
+    const PlacedBox placed{mesh_bounds(*package.meshes()->Get(shape.mesh())), world.at(shape.transform()).matrix};
+    const bool caster = casts(scene, world, i);
+    const bool receiver = receives(shape, index);
+    if (caster) input.casters.push_back(placed);
+    if (receiver) input.receivers.push_back(placed);
+    if ((caster || receiver) && !shape.bounds_known()) input.may_move = true;
+  }
+  return input;
+}
+
+}  // namespace
+
+std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages) {
+  std::vector<ShadowMap> maps;
+  const std::uint32_t count = scene.shadow_maps()->size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const PackedShadowMap& packed = *scene.shadow_maps()->Get(i);
+    maps.push_back(make_shadow_map(functions, packed, *scene.lights()->Get(packed.light()), messages));
+    maps.back().readers = find_readers(scene, i);
+  }
+  return maps;
+}
+
+bool must_be_drawn(const ShadowMap& map, PackedShadowUpdate update, const Slots& slots, const World& world) {
+  if (!map.texture) return false;
+  const bool stale =
+      map.drawn_revision == 0 || (update == PackedShadowUpdate::always && map.drawn_revision != slots.revision());
+  return stale && std::any_of(map.readers.begin(), map.readers.end(),
+                              [&world](std::uint32_t shape) { return world.shape_visible[shape]; });
+}
+
+bool casts(const PackedScene& scene, const World& world, std::uint32_t shape) {
+  return world.shape_visible[shape] && scene.shapes()->Get(shape)->depth_program() >= 0;
+}
+
+View fit_shadow_map(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,
+                    std::uint32_t index, Messages& messages) {
+  const LightFrame frame = light_frame(scene, *scene.shadow_maps()->Get(index), slots, world, messages);
+  return fit_light(frame, fit_input(package, scene, world, index));
+}
+
+}  // namespace plugc

@@ -1,0 +1,37 @@
+#pragma once
+// The depth maps of a scene's lights: their textures, what each light sees, and when one must be drawn again.
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/gl/target.h"
+#include "runtime/gl/texture.h"
+#include "runtime/messages.h"
+#include "runtime/projection.h"
+
+namespace plugc {
+
+struct ShadowMap {
+  gl::Texture texture;  ///< None when the map is never drawn: whoever reads it is lit.
+  gl::Framebuffer framebuffer;
+  GLsizei size = 0;
+  std::vector<std::uint32_t> readers;  ///< Shapes that look into it.
+  View view;                           ///< What the light saw when the map was drawn last.
+  std::uint64_t drawn_revision = 0;    ///< Of the slots, at that time; 0: never.
+};
+
+/// One per PackedShadowMap. Sizes beyond what can be made, and lights that cannot have a map yet, are reported.
+std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages);
+
+/// Whether somebody visible looks into the map and it may differ from what it holds: it was never drawn, or it follows
+/// the scene (`always`) and a slot has changed since. Nothing but slots moves a light, a caster or an effect.
+bool must_be_drawn(const ShadowMap& map, PackedShadowUpdate update, const Slots& slots, const World& world);
+
+/// Shapes that are drawn into depth maps: visible, with a depth program.
+bool casts(const PackedScene& scene, const World& world, std::uint32_t shape);
+
+/// What the light of map `index` sees now.
+View fit_shadow_map(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,
+                    std::uint32_t index, Messages& messages);
+
+}  // namespace plugc

@@ -1,0 +1,198 @@
+// One case a source. Matrices are multiplied in double and become floats at the very end, relative to the eye, so that a
+// scene a million units from its origin keeps its place in the picture. Each source gives as many numbers as it has; the
+// uniform's type then takes what it needs.
+
+#include "runtime/uniforms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "runtime/gl/program.h"
+#include "runtime/projection.h"
+
+namespace plugc {
+namespace {
+
+using Numbers = std::vector<double>;
+
+Numbers numbers(const glm::dvec4& v) {
+  return {v.x, v.y, v.z, v.w};
+}
+Numbers numbers(const glm::dmat3& m) {
+  return {&m[0][0], &m[0][0] + 9};
+}
+Numbers numbers(const glm::dmat4& m) {
+  return {&m[0][0], &m[0][0] + 16};
+}
+
+glm::dvec3 unit(const glm::dvec3& vector) {
+  const double length = glm::length(vector);
+  return length > 0 && std::isfinite(length) ? vector / length : glm::dvec3(0, 0, -1);
+}
+
+/// A light in the space of the eye. Defaults: X3D 4.1, 17.4.
+struct EyeLight {
+  const PackedLight& light;
+  const Slots& slots;
+  glm::dmat4 to_eye;
+  bool shines;
+};
+
+EyeLight eye_light(std::uint32_t index, const UniformInputs& inputs) {
+  const PackedLight& light = *inputs.scene.lights()->Get(index);
+  const PlacedTransform& placed = inputs.world.at(light.transform());
+  return {light, inputs.slots, light.headlight() ? glm::dmat4(1.0) : inputs.view.world_to_eye * placed.matrix,
+          placed.visible && inputs.slots.boolean(light.on(), true)};
+}
+
+/// Direction of travel; unit.
+glm::dvec3 travel(const EyeLight& l) {
+  return unit(glm::dmat3(l.to_eye) * l.slots.vector3(l.light.direction(), {0, 0, -1}));
+}
+
+/// Homogeneous: w is 0 for a directional light, whose position is the direction towards it.
+glm::dvec4 position(const EyeLight& l) {
+  if (l.light.kind() == PackedLightKind::directional) return {-travel(l), 0.0};
+  return l.to_eye * glm::dvec4(l.slots.vector3(l.light.location(), glm::dvec3(0)), 1.0);
+}
+
+glm::dvec4 color(const EyeLight& l, double strength) {
+  return {l.shines ? l.slots.vector3(l.light.color(), glm::dvec3(1)) * strength : glm::dvec3(0), 1.0};
+}
+
+double cut_off_angle(const EyeLight& l) {
+  return l.slots.number(l.light.cut_off_angle(), std::numbers::pi / 2);
+}
+
+Numbers light_numbers(const PackedBinding& binding, const UniformInputs& inputs) {
+  const EyeLight l = eye_light(binding.a(), inputs);
+  switch (binding.source()) {
+    case PackedSource::light_position: return numbers(position(l));
+    case PackedSource::light_spot_direction: return numbers(glm::dvec4(travel(l), 0.0));
+    case PackedSource::light_spot_cos_cutoff: return {std::cos(cut_off_angle(l))};
+    case PackedSource::light_spot_cutoff: return {cut_off_angle(l)};
+    case PackedSource::light_beam_width: return {l.slots.number(l.light.beam_width(), std::numbers::pi / 4)};
+    case PackedSource::light_radius: return {l.slots.number(l.light.radius(), 100) * average_scale(l.to_eye)};
+    case PackedSource::light_color: return numbers(color(l, l.slots.number(l.light.intensity(), 1)));
+    case PackedSource::light_ambient_color: return numbers(color(l, l.slots.number(l.light.ambient_intensity(), 0)));
+    case PackedSource::light_attenuation: return numbers(glm::dvec4(l.slots.vector3(l.light.attenuation(), {1, 0, 0}), 0));
+    default: return {};
+  }
+}
+
+/// Element by element: a slot of vec3 elements fills an array of vec3, whatever either side's count.
+Numbers slot_numbers(std::uint32_t slot, double scale, std::size_t wanted_size, const Slots& slots) {
+  const std::span<const double> values = slots.values(slot);
+  const std::size_t size = slots.element_size(slot);
+  Numbers result;
+  if (size == 0) return result;
+  for (std::size_t first = 0; first + size <= values.size(); first += size) {
+    for (std::size_t i = 0; i < wanted_size; ++i) result.push_back(i < size ? values[first + i] * scale : 0.0);
+  }
+  return result;
+}
+
+glm::dmat4 texture_matrix(const PackedTextureTransform& packed, const Slots& slots) {
+  const auto plane = [&slots](std::uint32_t slot, double z) {
+    glm::dvec3 vector = slots.vector3(slot, glm::dvec3(z));
+    vector.z = z;
+    return vector;
+  };
+  const glm::dmat4 one(1.0);
+  const glm::dvec3 center = plane(packed.center(), 0);
+  return glm::translate(one, -center) * glm::scale(one, plane(packed.scale(), 1)) *
+         glm::rotate(one, slots.number(packed.rotation(), 0), glm::dvec3(0, 0, 1)) * glm::translate(one, center) *
+         glm::translate(one, plane(packed.translation(), 0));
+}
+
+glm::dmat4 rotation_part(const glm::dmat4& matrix) {
+  return glm::dmat4(glm::dmat3(matrix));
+}
+
+/// The map a binding speaks of: in a depth pass the one being drawn (one list of bindings serves all maps of a shape).
+const View& shadow_view(const PackedBinding& binding, const UniformInputs& inputs) {
+  return inputs.depth_pass_view != nullptr ? *inputs.depth_pass_view : inputs.shadow_views[binding.a()];
+}
+
+Numbers matrix_numbers(const PackedBinding& binding, const UniformInputs& inputs) {
+  const View& view = inputs.view;
+  const glm::dmat4 model_view = view.world_to_eye * inputs.object_to_world;
+  switch (binding.source()) {
+    case PackedSource::model_view_matrix: return numbers(model_view);
+    case PackedSource::projection_matrix: return numbers(view.projection);
+    case PackedSource::model_view_projection_matrix: return numbers(view.projection * model_view);
+    case PackedSource::normal_matrix: return numbers(normal_matrix(model_view));
+    case PackedSource::texture_matrix:
+      return numbers(texture_matrix(*inputs.scene.texture_transforms()->Get(binding.a()), inputs.slots));
+    case PackedSource::projector_matrix: return numbers(world_to_texture(shadow_view(binding, inputs)) * view.eye_to_world);
+    case PackedSource::camera_matrix: return numbers(view.world_to_eye);
+    case PackedSource::camera_inverse_matrix: return numbers(view.eye_to_world);
+    case PackedSource::camera_rotation_matrix: return numbers(rotation_part(view.world_to_eye));
+    case PackedSource::camera_rotation_inverse_matrix: return numbers(rotation_part(view.eye_to_world));
+    case PackedSource::light_view_projection_matrix: {
+      const View& light = shadow_view(binding, inputs);
+      return numbers(light.projection * light.world_to_eye);
+    }
+    default: return {};
+  }
+}
+
+Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, const UniformInputs& inputs) {
+  switch (binding.source()) {
+    case PackedSource::slot:
+    case PackedSource::shadow_intensity: return slot_numbers(binding.a(), 1.0, wanted_size, inputs.slots);
+    case PackedSource::slot_scaled:
+      return slot_numbers(binding.a(), static_cast<double>(binding.scale()), wanted_size, inputs.slots);
+    case PackedSource::slot_product:
+      return slot_numbers(binding.a(), inputs.slots.number(binding.b(), 1), wanted_size, inputs.slots);
+    case PackedSource::color_and_transparency:
+      return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
+    case PackedSource::light_position:
+    case PackedSource::light_spot_direction:
+    case PackedSource::light_spot_cos_cutoff:
+    case PackedSource::light_spot_cutoff:
+    case PackedSource::light_beam_width:
+    case PackedSource::light_radius:
+    case PackedSource::light_color:
+    case PackedSource::light_ambient_color:
+    case PackedSource::light_attenuation: return light_numbers(binding, inputs);
+    default: return matrix_numbers(binding, inputs);
+  }
+}
+
+/// 4x4 to 3x3 where a shader wants the rotation only.
+Numbers upper_left(const Numbers& m) {
+  return {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]};
+}
+
+float finite_float(double value) {
+  constexpr double largest = static_cast<double>(std::numeric_limits<float>::max());
+  return std::isnan(value) ? 0.0F : static_cast<float>(std::clamp(value, -largest, largest));
+}
+
+}  // namespace
+
+glm::dmat3 normal_matrix(const glm::dmat4& model_view) {
+  const glm::dmat3 m(model_view);
+  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  const double determinant = glm::dot(m[0], cofactors[0]);
+  const bool regular = std::isnormal(determinant) && std::isfinite(1 / determinant);
+  return regular ? cofactors / determinant : cofactors;
+}
+
+std::vector<float> evaluate(const PackedBinding& binding, PackedUniformType type, std::uint32_t count,
+                            const UniformInputs& inputs) {
+  if (gl::is_sampler(type)) return {};
+  const std::size_t size = component_count(type);
+  Numbers values = source_numbers(binding, size, inputs);
+  if (type == PackedUniformType::mat3 && values.size() == 16) values = upper_left(values);
+  std::vector<float> result(size * count, 0.0F);
+  for (std::size_t i = 0; i < std::min(values.size(), result.size()); ++i) result[i] = finite_float(values[i]);
+  return result;
+}
+
+}  // namespace plugc

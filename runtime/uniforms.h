@@ -1,0 +1,31 @@
+#pragma once
+// What the numbers of a binding are for one draw.
+
+#include <span>
+#include <vector>
+
+#include "runtime/events.h"
+#include "runtime/world.h"
+
+namespace plugc {
+
+/// Everything a binding may ask for. `view` is the eye of the pass: the camera, or the light of a depth pass.
+struct UniformInputs {
+  const PackedScene& scene;
+  const Slots& slots;
+  const World& world;
+  const View& view;
+  std::span<const View> shadow_views;     ///< One per shadow map of the scene.
+  const View* depth_pass_view = nullptr;  ///< Set in a depth pass: the map being drawn.
+  glm::dmat4 object_to_world{1.0};
+};
+
+/// The binding's value as `count` elements of `type`, finite floats. Vectors are cut or filled with zeros to fit.
+/// Samplers (texture, shadow_map) have no numbers: nothing is returned.
+std::vector<float> evaluate(const PackedBinding& binding, PackedUniformType type, std::uint32_t count,
+                            const UniformInputs& inputs);
+
+/// Inverse transpose of the upper left 3x3; of a singular matrix the nearest that still is finite (its cofactors).
+glm::dmat3 normal_matrix(const glm::dmat4& model_view);
+
+}  // namespace plugc

@@ -1,0 +1,85 @@
+// One walk over the transforms (parents come first) gives matrices and visibility, one over the shapes their boxes.
+// All of it in double, so that a scene far from its origin loses nothing until matrices relative to the eye become floats.
+// NaN and infinity in a slot make the boxes below it empty; they never reach a fit.
+
+#include "runtime/world.h"
+
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace plugc {
+namespace {
+
+const glm::dvec4 kNoRotation(0, 0, 1, 0);
+
+PlacedTransform place_transform(const PackedTransform& packed, const PlacedTransform& parent, const Slots& slots) {
+  PlacedTransform placed;
+  placed.visible = parent.visible && (packed.switch_slot() == kNoSlot ||
+                                      slots.number(packed.switch_slot(), -1.0) == static_cast<double>(packed.choice()));
+  placed.matrix = parent.matrix * transform_matrix(slots.vector3(packed.translation(), glm::dvec3(0)),
+                                                   slots.vector4(packed.rotation(), kNoRotation),
+                                                   slots.vector3(packed.scale(), glm::dvec3(1)),
+                                                   slots.vector4(packed.scale_orientation(), kNoRotation),
+                                                   slots.vector3(packed.center(), glm::dvec3(0)));
+  return placed;
+}
+
+}  // namespace
+
+const PlacedTransform& World::at(std::int32_t transform) const {
+  return transform < 0 ? root_ : transforms[static_cast<std::size_t>(transform)];
+}
+
+World place(const Package& package, const PackedScene& scene, const Slots& slots) {
+  World world;
+  world.transforms.reserve(scene.transforms()->size());
+  for (const PackedTransform* packed : *scene.transforms()) {
+    world.transforms.push_back(place_transform(*packed, world.at(packed->parent()), slots));
+  }
+  for (const PackedShape* shape : *scene.shapes()) {
+    const PlacedTransform& placed = world.at(shape->transform());
+    const Box own = placed.visible ? mesh_bounds(*package.meshes()->Get(shape->mesh())) : Box{};
+    world.shape_visible.push_back(placed.visible);
+    world.shape_bounds.push_back(transformed(own, placed.matrix));
+    world.bounds = join(world.bounds, world.shape_bounds.back());
+  }
+  return world;
+}
+
+glm::dmat4 rotation_matrix(const glm::dvec4& rotation) {
+  const glm::dvec3 axis(rotation);
+  const double length = glm::length(axis);
+  if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(rotation.w)) return glm::dmat4(1.0);
+  return glm::rotate(glm::dmat4(1.0), rotation.w, axis / length);
+}
+
+glm::dmat4 transform_matrix(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale,
+                            const glm::dvec4& scale_orientation, const glm::dvec3& center) {
+  const glm::dmat4 stretch = rotation_matrix(scale_orientation);
+  const glm::dmat4 one(1.0);
+  return glm::translate(one, translation + center) * rotation_matrix(rotation) * stretch * glm::scale(one, scale) *
+         glm::transpose(stretch) * glm::translate(one, -center);
+}
+
+Box mesh_bounds(const PackedMesh& mesh) {
+  const PackedVec3& low = *mesh.bounds_min();
+  const PackedVec3& high = *mesh.bounds_max();
+  return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+}
+
+double average_scale(const glm::dmat4& matrix) {
+  return (glm::length(glm::dvec3(matrix[0])) + glm::length(glm::dvec3(matrix[1])) + glm::length(glm::dvec3(matrix[2]))) / 3.0;
+}
+
+bool outside_sideways(const Box& box, const glm::dmat4& to_clip) {
+  if (box.empty()) return false;
+  int outside = 0b1111;
+  for (const glm::dvec3& corner : corners(box)) {
+    const glm::dvec4 clip = to_clip * glm::dvec4(corner, 1.0);
+    outside &= (clip.x > clip.w ? 1 : 0) | (clip.x < -clip.w ? 2 : 0) | (clip.y > clip.w ? 4 : 0) | (clip.y < -clip.w ? 8 : 0);
+  }
+  return outside != 0;
+}
+
+}  // namespace plugc

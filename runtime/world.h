@@ -1,0 +1,66 @@
+#pragma once
+// Where everything is: matrices in double, which shapes are shown, their boxes, and the camera.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "package/package_file.h"
+#include "runtime/box.h"
+#include "runtime/events.h"
+#include "runtime/messages.h"
+
+namespace plugc {
+
+/// A transform of the scene after its parents: object to world.
+struct PlacedTransform {
+  glm::dmat4 matrix{1.0};
+  bool visible = true;  ///< No Switch above chose another child.
+};
+
+struct World {
+  std::vector<PlacedTransform> transforms;
+  std::vector<Box> shape_bounds;  ///< World space; empty for a shape that is hidden or without vertices.
+  std::vector<bool> shape_visible;
+  Box bounds;  ///< Around all visible shapes.
+
+  /// The transform of that index; -1: the world.
+  const PlacedTransform& at(std::int32_t transform) const;
+
+ private:
+  PlacedTransform root_;
+};
+
+World place(const Package& package, const PackedScene& scene, const Slots& slots);
+
+/// Object space of a Transform node to its parent's space: T * C * R * SR * S * -SR * -C (X3D 4.1, 10.4.4).
+glm::dmat4 transform_matrix(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale,
+                            const glm::dvec4& scale_orientation, const glm::dvec3& center);
+/// Axis and angle; the identity for a zero axis.
+glm::dmat4 rotation_matrix(const glm::dvec4& rotation);
+
+Box mesh_bounds(const PackedMesh& mesh);
+
+/// How much a matrix makes things longer, on the average of its axes.
+double average_scale(const glm::dmat4& matrix);
+
+/// The eye of a pass: a camera, or a light while its depth map is drawn.
+struct View {
+  glm::dmat4 world_to_eye{1.0};  ///< Rigid: no scale.
+  glm::dmat4 eye_to_world{1.0};
+  glm::dmat4 projection{1.0};
+};
+
+/// A rigid frame with the eye at `position`, looking along `direction`. Neither vector needs to be unit or orthogonal; an
+/// unusable one is replaced (direction by -z, up by whatever is orthogonal).
+View look_along(const glm::dvec3& position, const glm::dvec3& direction, const glm::dvec3& up);
+
+/// `wanted` is a DEF name or an index from 0; unknown ones are reported and the first viewpoint taken. `aspect` is width /
+/// height.
+View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
+                 Messages& messages);
+
+/// True when the box lies wholly on the outer side of the left, right, lower or upper plane of the clip space.
+bool outside_sideways(const Box& box, const glm::dmat4& to_clip);
+
+}  // namespace plugc

@@ -1,0 +1,2 @@
+/* PLUG: broken */ void f( { ] @ "text
+ /* never closed

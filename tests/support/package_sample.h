@@ -1,0 +1,116 @@
+#pragma once
+// A small package in which every list of the schema has an element, for tests and fuzzers that change one thing in it.
+
+#include "package/package_file.h"
+
+namespace plugc {
+
+inline constexpr std::uint32_t kSampleColor = 0;  ///< Slots of sample_package()'s scene.
+inline constexpr std::uint32_t kSampleScalar = 1;
+inline constexpr std::uint32_t kSampleRotation = 2;
+
+inline PackedStageT sample_stage(PackedStageKind kind) {
+  PackedStageT stage;
+  stage.kind = kind;
+  stage.text = "#version 330 core\nvoid main() {}\n";
+  stage.origins = {{0, 0}, {0, 2}};
+  return stage;
+}
+
+inline PackedProgramT sample_program() {
+  PackedProgramT program;
+  program.name = "phong + Fresnel";
+  program.recipe = "lit 1";
+  auto target = std::make_unique<PackedTargetProgramT>();
+  for (const PackedStageKind kind : {PackedStageKind::vertex, PackedStageKind::fragment}) {
+    target->stages.push_back(std::make_unique<PackedStageT>(sample_stage(kind)));
+  }
+  program.targets.push_back(std::move(target));
+  const auto add_uniform = [&](const char* name, PackedUniformType type, std::uint32_t count) {
+    program.uniforms.push_back(std::make_unique<PackedUniformT>());
+    program.uniforms.back()->name = name;
+    program.uniforms.back()->type = type;
+    program.uniforms.back()->count = count;
+  };
+  add_uniform("color", PackedUniformType::vec3, 1);
+  add_uniform("weights", PackedUniformType::float_, 4);
+  add_uniform("texture0", PackedUniformType::sampler2D, 1);
+  program.attributes.push_back(std::make_unique<PackedAttributeT>());
+  program.attributes.back()->name = "position";
+  program.plugs_filled = {"texture_color"};
+  program.plugs_empty = {"fragment_end", "light_scale"};
+  return program;
+}
+
+inline PackedMeshT sample_mesh() {
+  PackedMeshT mesh;
+  mesh.vertex_count = 3;
+  mesh.stride = 20;
+  mesh.streams = {{PackedSemantic::position, 0, 3, 0}, {PackedSemantic::tex_coord, 0, 2, 12}};
+  mesh.vertices.resize(60);
+  mesh.indices = {0, 1, 2};
+  mesh.bounds_min = std::make_unique<PackedVec3>(-1, -1, 0);
+  mesh.bounds_max = std::make_unique<PackedVec3>(1, 0.5, 0);
+  return mesh;
+}
+
+inline PackedImageT sample_image() {
+  PackedImageT image;
+  image.width = 2;
+  image.height = 3;
+  image.channels = 3;
+  image.pixels.resize(18);
+  return image;
+}
+
+inline PackedShapeT sample_shape() {
+  PackedShapeT shape;
+  shape.name = "Kettle";
+  shape.transform = 1;
+  shape.bindings = {{0, kSampleColor, 0, 1, PackedSource::slot}, {2, 0, 0, 1, PackedSource::texture}};
+  shape.depth_program = 1;
+  shape.depth_bindings = {{0, kSampleColor, 0, 1, PackedSource::slot}};
+  shape.cull_back = true;
+  shape.receives = {0};
+  return shape;
+}
+
+inline PackedSceneT sample_scene() {
+  PackedSceneT scene;
+  scene.name = "kettle.x3dv";
+  scene.slots = {{0, 1, PackedValueType::vec3}, {3, 1, PackedValueType::float_}, {4, 1, PackedValueType::rotation}};
+  scene.slot_values = {1, 0.5, 0, 0.25, 0, 1, 0, 1.5707963267948966};
+  scene.slot_names.push_back(std::make_unique<PackedSlotNameT>());
+  scene.slot_names.back()->name = "Paint.diffuseColor";
+  scene.transforms = {{-1, kSampleColor, kSampleRotation, kNoSlot, kNoSlot, kNoSlot, kNoSlot, 0},
+                      {0, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kSampleScalar, 2}};
+  scene.lights.push_back(std::make_unique<PackedLightT>());
+  scene.lights.back()->name = "Lamp";
+  scene.lights.back()->kind = PackedLightKind::spot;
+  scene.lights.back()->color = kSampleColor;
+  scene.shadow_maps.push_back(std::make_unique<PackedShadowMapT>());
+  scene.shadow_maps.back()->size = 512;
+  scene.shadow_maps.back()->update = PackedShadowUpdate::always;
+  scene.texture_transforms = {{kNoSlot, kSampleScalar, kNoSlot, kNoSlot}};
+  scene.shapes.push_back(std::make_unique<PackedShapeT>(sample_shape()));
+  scene.viewpoints.push_back(std::make_unique<PackedViewpointT>());
+  scene.viewpoints.back()->name = "Front";
+  scene.viewpoints.back()->description = "from the front";
+  scene.viewpoints.back()->field_of_view = kSampleScalar;
+  return scene;
+}
+
+inline PackageT sample_package() {
+  PackageT package;
+  package.generator = "plugc";
+  package.sources = {"", "kettle.x3dv"};
+  package.programs.push_back(std::make_unique<PackedProgramT>(sample_program()));
+  package.programs.push_back(std::make_unique<PackedProgramT>(sample_program()));
+  package.meshes.push_back(std::make_unique<PackedMeshT>(sample_mesh()));
+  package.images.push_back(std::make_unique<PackedImageT>(sample_image()));
+  package.textures.push_back(std::make_unique<PackedTextureT>());
+  package.scenes.push_back(std::make_unique<PackedSceneT>(sample_scene()));
+  return package;
+}
+
+}  // namespace plugc

@@ -1,0 +1,250 @@
+#include "package/package_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+
+#include "tests/support/package_sample.h"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace plugc {
+namespace {
+
+std::string error_of(const std::vector<std::uint8_t>& bytes) {
+  return open_package(bytes).error;
+}
+
+/// What open_package() says of the sample after `change`.
+std::string error_after(const std::function<void(PackageT&)>& change) {
+  PackageT package = sample_package();
+  change(package);
+  return error_of(write_package(package));
+}
+
+PackedTransform child_of(std::int32_t parent) {
+  return {parent, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kNoSlot, 0};
+}
+
+/// Writes the hash that fits the buffer, as somebody who means harm would.
+void mend_hash(std::vector<std::uint8_t>& bytes) {
+  const std::uint64_t hash = XXH3_64bits(bytes.data() + kPackageHeaderBytes, bytes.size() - kPackageHeaderBytes);
+  std::memcpy(bytes.data() + 16, &hash, sizeof hash);
+}
+
+TEST(PackageFile, OpensWhatItWrote) {
+  const std::vector<std::uint8_t> bytes = write_package(sample_package());
+  const PackageView view = open_package(bytes);
+  ASSERT_EQ(view.error, "");
+  EXPECT_EQ(view.package->programs()->Get(0)->name()->str(), "phong + Fresnel");
+  EXPECT_EQ(view.package->scenes()->Get(0)->slot_values()->Get(3), 0.25);
+  EXPECT_EQ(view.package->scenes()->Get(0)->shapes()->Get(0)->bindings()->Get(1)->source(), PackedSource::texture);
+}
+
+TEST(PackageFile, WritesEqualBytesForEqualContent) {
+  EXPECT_EQ(write_package(sample_package()), write_package(sample_package()));
+}
+
+TEST(PackageFile, KeepsEveryFieldOverARoundTrip) {
+  const std::vector<std::uint8_t> bytes = write_package(sample_package());
+  const std::unique_ptr<PackageT> read(open_package(bytes).package->UnPack());
+  EXPECT_EQ(write_package(*read), bytes);
+}
+
+TEST(PackageFile, OpensAPackageOfNothingWithEveryListPresent) {
+  const std::vector<std::uint8_t> bytes = write_package(PackageT{});
+  const PackageView view = open_package(bytes);
+  ASSERT_EQ(view.error, "");
+  EXPECT_EQ(view.package->scenes()->size(), 0u);
+  EXPECT_EQ(view.package->generator()->str(), "");
+}
+
+TEST(PackageFile, AlignsVerticesPixelsAndValues) {
+  const std::vector<std::uint8_t> bytes = write_package(sample_package());
+  const Package& package = *open_package(bytes).package;
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(package.meshes()->Get(0)->vertices()->data()) % 16, 0u);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(package.images()->Get(0)->pixels()->data()) % 16, 0u);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(package.scenes()->Get(0)->slot_values()->data()) % 8, 0u);
+}
+
+TEST(PackageFile, SaysWhatIsWrongWithAHeader) {
+  const std::vector<std::uint8_t> good = write_package(sample_package());
+  EXPECT_EQ(error_of({}), "is no plugc package");
+  EXPECT_EQ(error_of({good.begin(), good.begin() + 31}), "is no plugc package");
+  std::vector<std::uint8_t> bytes = good;
+  bytes[0] = 'B';
+  EXPECT_EQ(error_of(bytes), "is no plugc package");
+  bytes = good;
+  bytes[8] = 3;
+  EXPECT_EQ(error_of(bytes), "is version 3, this plugc reads version 1");
+  bytes = good;
+  bytes[12] = 1;
+  EXPECT_EQ(error_of(bytes), "header is damaged");
+  bytes = good;
+  bytes.push_back(0);
+  EXPECT_EQ(error_of(bytes), "has 1 bytes behind its end");
+  bytes.resize(bytes.size() - 5);
+  EXPECT_EQ(error_of(bytes), "is cut short: 4 bytes are missing");
+}
+
+TEST(PackageFile, NoticesEveryFlippedByte) {
+  std::vector<std::uint8_t> bytes = write_package(sample_package());
+  for (std::size_t i = kPackageHeaderBytes; i < bytes.size(); ++i) {
+    bytes[i] ^= 0x10;
+    ASSERT_EQ(error_of(bytes), "content hash differs: the file is damaged") << "byte " << i;
+    bytes[i] ^= 0x10;
+  }
+}
+
+TEST(PackageFile, AsksForAlignedBytes) {
+  const std::vector<std::uint8_t> good = write_package(sample_package());
+  std::vector<std::uint8_t> shifted(good.size() + 1);
+  std::memcpy(shifted.data() + 1, good.data(), good.size());
+  EXPECT_EQ(open_package(std::span(shifted).subspan(1)).error, "lies in memory at no multiple of 16 bytes");
+}
+
+TEST(PackageFile, RejectsABufferOfNoise) {
+  std::vector<std::uint8_t> bytes = write_package(sample_package());
+  std::memset(bytes.data() + kPackageHeaderBytes, 0x7E, bytes.size() - kPackageHeaderBytes);
+  mend_hash(bytes);
+  EXPECT_EQ(error_of(bytes), "has an invalid structure: no plugc wrote it");
+}
+
+TEST(PackageFile, ChecksPrograms) {
+  EXPECT_EQ(error_after([](PackageT& p) { p.programs[1]->targets.clear(); }), "program 1: it has no target");
+  EXPECT_EQ(error_after([](PackageT& p) { p.programs[0]->targets[0]->stages.clear(); }),
+            "program 0, target 0: it has no vertex stage");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              auto& stages = p.programs[0]->targets[0]->stages;
+              std::swap(stages[0], stages[1]);
+            }),
+            "program 0, target 0, stage 1: stages are out of pipeline order");
+  EXPECT_EQ(error_after([](PackageT& p) { p.programs[0]->targets[0]->target = PackedTarget::spirv; }),
+            "program 0, target 0, stage 0: its SPIR-V does not start with the magic number");
+  EXPECT_EQ(error_after([](PackageT& p) { p.programs[0]->targets[0]->stages[0]->origins[1] = PackedLineOrigin(9, 1); }),
+            "program 0, target 0, stage 0, origin 1: source 9 does not exist, there are 2");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.programs[0]->targets.push_back(std::make_unique<PackedTargetProgramT>(*p.programs[0]->targets[0]));
+            }),
+            "program 0, target 1: its target is there twice");
+  EXPECT_EQ(error_after([](PackageT& p) { p.programs[0]->uniforms[1]->type = PackedUniformType{99}; }),
+            "program 0, uniform 1: its type is unknown");
+  EXPECT_EQ(error_after([](PackageT& p) { p.programs[0]->attributes[0]->semantic = PackedSemantic{99}; }),
+            "program 0, attribute 0: its semantic is unknown");
+}
+
+TEST(PackageFile, ChecksMeshes) {
+  EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->indices[2] = 3; }),
+            "mesh 0, index 2: vertex 3 does not exist, there are 3");
+  EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->indices.pop_back(); }), "mesh 0: its last primitive is cut short");
+  EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->vertex_count = 4; }), "mesh 0: its vertices take 60 bytes, not 80");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.meshes[0]->streams[1] = {PackedSemantic::tex_coord, 0, 2, 16};
+            }),
+            "mesh 0, stream 1: bytes 16 to 24 do not fit into a vertex of 20");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.meshes[0]->streams[1] = {PackedSemantic::tex_coord, 0, 5, 0};
+            }),
+            "mesh 0, stream 1: it has not 1 to 4 components");
+  EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->bounds_max.reset(); }), "mesh 0: it has no bounds");
+}
+
+TEST(PackageFile, ChecksImagesAndTextures) {
+  EXPECT_EQ(error_after([](PackageT& p) { p.images[0]->height = 4; }), "image 0: its pixels take 18 bytes, not 24");
+  EXPECT_EQ(error_after([](PackageT& p) { p.images[0]->depth = 0; }), "image 0: its size 2 x 3 x 0 is out of range");
+  EXPECT_EQ(error_after([](PackageT& p) { p.textures[0]->image = 1; }), "texture 0: image 1 does not exist, there are 1");
+  EXPECT_EQ(error_after([](PackageT& p) { p.textures[0]->magnification = PackedFilter::linear_mipmap_linear; }),
+            "texture 0: its filter is unknown");
+}
+
+TEST(PackageFile, ChecksSlots) {
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->slots[2] = {4, 2, PackedValueType::rotation};
+            }),
+            "scene 0, slot 2: it ends at value 12 of 8");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->slots[2] = {0xFFFFFFFF, 1, PackedValueType::rotation};
+            }),
+            "scene 0, slot 2: it ends at value 4294967299 of 8");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->slot_names[0]->slot = 3; }),
+            "scene 0, slot name 0: it is slot 3, which does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->lights[0]->color = kSampleScalar; }),
+            "scene 0, light 0: color is slot 1, which has 1 numbers, not 3");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->background_color = 7; }),
+            "scene 0: background color is slot 7, which does not exist");
+}
+
+TEST(PackageFile, ChecksThatParentsComeBeforeChildren) {
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->transforms[1] = child_of(1); }),
+            "scene 0, transform 1: its parent 1 does not come before it");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->transforms[0] = child_of(-2); }),
+            "scene 0, transform 0: its parent -2 does not come before it");
+}
+
+TEST(PackageFile, ChecksLightsAndShadowMaps) {
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->lights[0]->transform = 2; }),
+            "scene 0, light 0: transform 2 does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shadow_maps[0]->light = 1; }),
+            "scene 0, shadow map 0: light 1 does not exist, there are 1");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shadow_maps[0]->size = 0; }),
+            "scene 0, shadow map 0: its size 0 is out of range");
+}
+
+TEST(PackageFile, ChecksShapes) {
+  const auto after = [](const std::function<void(PackedShapeT&)>& change) {
+    return error_after([&](PackageT& p) { change(*p.scenes[0]->shapes[0]); });
+  };
+  EXPECT_EQ(after([](PackedShapeT& s) { s.mesh = 1; }), "scene 0, shape 0: mesh 1 does not exist, there are 1");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.program = 2; }), "scene 0, shape 0: program 2 does not exist, there are 2");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.depth_program = -2; }), "scene 0, shape 0: depth program -2 does not exist");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.depth_program = -1; }),
+            "scene 0, shape 0, depth binding 0: the shape has no depth program");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.receives = {1}; }),
+            "scene 0, shape 0, receives 0: shadow map 1 does not exist, there are 1");
+}
+
+TEST(PackageFile, ChecksBindings) {
+  const auto after = [](PackedBinding binding) {
+    return error_after([&](PackageT& p) { p.scenes[0]->shapes[0]->bindings = {binding}; });
+  };
+  const std::string place = "scene 0, shape 0, binding 0: ";
+  EXPECT_EQ(after({3, 0, 0, 1, PackedSource::slot}), place + "uniform 3 does not exist, there are 3");
+  EXPECT_EQ(after({0, 0, 0, 1, PackedSource{200}}), place + "its source is unknown");
+  EXPECT_EQ(after({0, 0, 0, 1, PackedSource::texture}), place + "its source does not fit the uniform `color`");
+  EXPECT_EQ(after({2, 0, 0, 1, PackedSource::slot}), place + "its source does not fit the uniform `texture0`");
+  EXPECT_EQ(after({0, kNoSlot, 0, 1, PackedSource::slot}), place + "a is slot 4294967295, which does not exist");
+  EXPECT_EQ(after({0, kSampleScalar, 0, 1, PackedSource::slot}), place + "a is slot 1, which has 1 numbers, not 3");
+  EXPECT_EQ(after({2, 1, 0, 1, PackedSource::texture}), place + "texture 1 does not exist, there are 1");
+  EXPECT_EQ(after({2, 1, 0, 1, PackedSource::shadow_map}), place + "shadow map 1 does not exist, there are 1");
+  EXPECT_EQ(after({0, 1, 0, 1, PackedSource::light_color}), place + "light 1 does not exist, there are 1");
+  EXPECT_EQ(after({0, kNoSlot, kNoSlot, 1, PackedSource::color_and_transparency}), "");
+}
+
+TEST(PackageFile, DumpsOneFactALine) {
+  const std::vector<std::uint8_t> bytes = write_package(sample_package());
+  const std::string dump = dump_package(*open_package(bytes).package);
+  const std::string program_start = "package by `plugc`\nsource 0 ``\nsource 1 `kettle.x3dv`\nprogram 0 `phong + Fresnel`\n";
+  EXPECT_EQ(dump.substr(0, program_start.size()), program_start);
+  for (const std::string line :
+       {"  uniform float weights[4]\n", "  attribute position: position 0\n", "  plugs filled: `texture_color`\n",
+        "mesh 0: triangles, 3 vertices of 20 bytes, 3 indices\n  stream position 0: 3 floats at 0\n",
+        "  bounds -1 -1 0 to 1 0.5 0\n", "texture 0: image 0, wrap repeat repeat, filter linear_mipmap_linear linear\n",
+        "  slot 0: vec3[1] 1 0.5 0\n", "  slot 0 is `Paint.diffuseColor`\n", "    while slot 1 is 2\n",
+        "  light 0 `Lamp`: spot, transform -1\n    slots: on -, color 0,",
+        "  shape 0 `Kettle`: transform 1, mesh 0, program 0\n", "      color = slot a 0 b 0 scale 1\n", "    depth program 1\n",
+        "  viewpoint 0 `Front` `from the front`: transform -1\n"}) {
+    EXPECT_NE(dump.find(line), std::string::npos) << line << "is not in\n" << dump;
+  }
+}
+
+TEST(PackageFile, DumpsNamesWithoutBreakingTheLine) {
+  PackageT package;
+  package.sources = {"a\nb"};
+  const std::vector<std::uint8_t> bytes = write_package(package);
+  EXPECT_EQ(dump_package(*open_package(bytes).package), "package by ``\nsource 0 `a\\x0ab`\n");
+}
+
+}  // namespace
+}  // namespace plugc
