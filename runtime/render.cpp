@@ -94,9 +94,10 @@ bool prepare_target(const gl::Functions& gl, gl::ColorTarget& target, const Fram
   if (options.width > largest || options.height > largest) {
     messages.add("the driver draws pictures of at most " + std::to_string(largest) + " pixels along a side");
   }
-  if (target.framebuffer && target.width == width && target.height == height) return true;
+  const auto samples = static_cast<GLsizei>(std::clamp(options.samples, 1U, 4U));
+  if (target.framebuffer && target.width == width && target.height == height && target.samples == samples) return true;
   target = {};
-  target = gl::make_color_target(gl, width, height);
+  target = gl::make_color_target(gl, width, height, samples);
   if (target.framebuffer) return true;
   messages.add("the driver cannot draw a picture of " + std::to_string(width) + " by " + std::to_string(height));
   return false;

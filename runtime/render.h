@@ -21,6 +21,7 @@ struct FrameOptions {
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
   std::string viewpoint;      ///< DEF name, or an index from 0; empty: the first one, or a view of the whole scene.
+  std::uint32_t samples = 1;  ///< Samples a pixel, 1 to 4: edges are smoothed with more than one.
   bool shadows = true;        ///< False: no depth pass, everything lit (for comparisons).
 };
 

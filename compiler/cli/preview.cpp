@@ -22,6 +22,7 @@ struct PreviewOptions {
   std::string size = "1280x720";
   std::string viewpoint;
   std::string stage = "teapot";
+  std::uint32_t samples = 4;
   bool no_shadows = false;
   bool statistics = false;
 };
@@ -93,6 +94,7 @@ int preview(const PreviewOptions& options) {
     return kBrokenUse;
   }
   frame.viewpoint = options.viewpoint;
+  frame.samples = options.samples;
   frame.shadows = !options.no_shadows;
   const bool packed = is_package_file(options.input);
   std::unique_ptr<Validator> validator;  // forks, so it is made before the drawing thread starts
@@ -138,6 +140,7 @@ void add_preview_command(CLI::App& app, int& status) {
   verb->add_option("--on", options->stage, "What to try effects on when the file has no shapes: teapot, sphere, box, plane")
       ->check(CLI::IsMember({"teapot", "sphere", "box", "plane"}))
       ->capture_default_str();
+  verb->add_option("--samples", options->samples, "Samples a pixel, to smooth edges")->check(CLI::Range(1, 4))->capture_default_str();
   verb->add_flag("--no-shadows", options->no_shadows, "Draw everything lit, to see what shadows do");
   verb->add_flag("--statistics", options->statistics, "Print draw calls, programs and shadow passes");
   add_common_options(*verb, options->common);

@@ -40,6 +40,10 @@ class RecipeMaker {
     return any_effect([](const EffectCode&) { return true; });
   }
 
+  /// Whether the material's ambient colour may be other than black.
+  bool has_ambient() const {
+    return (may_differ(material_.ambient, 0) && may_differ(material_.diffuse, 0)) || any_fills("material_ambient");
+  }
   LightRecipe light(int index) const;
   bool needs_vertex_eye(const Recipe& recipe) const;
 
@@ -66,8 +70,7 @@ LightRecipe RecipeMaker::light(int index) const {
   const SceneLight& light = scene_.lights[static_cast<std::size_t>(index)];
   LightRecipe recipe;
   recipe.kind = light.kind;
-  const bool both_ambient = may_differ(light.ambient_intensity, 0) && may_differ(material_.ambient, 0) && may_differ(material_.diffuse, 0);
-  recipe.ambient = both_ambient || any_fills("material_ambient") || any_fills("material_light_ambient");
+  recipe.ambient = (may_differ(light.ambient_intensity, 0) && has_ambient()) || any_fills("material_light_ambient");
   if (const Slot* attenuation = slot(light.attenuation)) {
     recipe.attenuation = attenuation->routed || attenuation->values != std::vector<double>{1, 0, 0};
   }
@@ -111,7 +114,7 @@ Recipe RecipeMaker::make() {
   if (recipe.lit || recipe.shader >= 0) {
     for (const int index : shape_.lights) recipe.lights.push_back(light(index));
   }
-  recipe.ambient = std::any_of(recipe.lights.begin(), recipe.lights.end(), [](const LightRecipe& light) { return light.ambient; });
+  recipe.ambient = recipe.lit && (has_ambient() || any_fills("material_light_ambient"));
   for (const TextureUse& use : shape_.textures) {
     recipe.textures.push_back({use.mode, use.transform >= 0, scene_.textures[static_cast<std::size_t>(use.texture)].effects});
   }

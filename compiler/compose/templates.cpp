@@ -18,7 +18,7 @@ namespace {
 std::string_view directive_name(std::string_view line, std::string_view directive) {
   std::string_view name = line.substr(directive.size());
   name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
-  return name.substr(0, name.find_first_of(" \r"));
+  return name.substr(0, name.find_first_of(" \r\n"));
 }
 
 struct Branches {

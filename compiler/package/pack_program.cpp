@@ -160,6 +160,7 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::shadow_intensity:
       if (const SceneLight* found = light(name.number)) add(index, PackedSource::slot, found->shadow_intensity);
       return;
+    case CastleSource::global_ambient: return add(index, PackedSource::slot, c_.scene.global_ambient);
     case CastleSource::texture: return bind_texture(index, use.texture);
     case CastleSource::texture_matrix:
       if (use.transform >= 0) add(index, PackedSource::texture_matrix, static_cast<std::uint32_t>(use.transform));

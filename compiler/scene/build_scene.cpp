@@ -13,6 +13,12 @@
 namespace plugc {
 namespace {
 
+/// Without a Background the standard leaves the colour to the browser: the dark grey of the reference engine's viewer, measured.
+constexpr double kDefaultSky = 26.0 / 255.0;
+
+/// The reference engine adds this much of each material's ambient colour (OpenGL's default light model), measured.
+constexpr double kGlobalAmbient = 0.2;
+
 /// What a shape inherits from the groups above it.
 struct Scope {
   int transform = -1;
@@ -27,6 +33,8 @@ class SceneWalk {
   void run() {
     visit_list(graph_.roots(), Scope());
     add_headlight(context_, navigation_info_);
+    context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
+    if (!has_background_) context_.scene.background_color = context_.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
     for (SceneShape& shape : context_.scene.shapes) add_global_lights(shape);
     finish_lights(context_, receives_);
   }

@@ -181,6 +181,7 @@ struct Scene {
   std::vector<SceneShape> shapes;
   std::vector<SceneViewpoint> viewpoints;
   std::uint32_t background_color = kSceneNoSlot;
+  std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };
 
 /// The shapes of a graph. With `all_branches` (lint), every child of a Switch and every disabled effect is taken too.

@@ -7,30 +7,52 @@
 namespace plugc::gl {
 namespace {
 
-Renderbuffer make_renderbuffer(const Functions& gl, GLenum format, GLsizei width, GLsizei height) {
+Renderbuffer make_renderbuffer(const Functions& gl, GLenum format, GLsizei width, GLsizei height, GLsizei samples) {
   Renderbuffer buffer = generate<Renderbuffer>(gl, gl.GenRenderbuffers);
   gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-  gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  if (samples > 1) gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  else gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
   return buffer;
 }
 
+/// A framebuffer with that colour, bound.
+Framebuffer make_framebuffer(const Functions& gl, const Renderbuffer& color) {
+  Framebuffer framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color.id());
+  return framebuffer;
+}
+
+bool is_complete(const Functions& gl) { return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE; }
+
 }  // namespace
 
-ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height) {
+ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height, GLsizei samples) {
   ColorTarget target;
   target.width = width;
   target.height = height;
-  target.color = make_renderbuffer(gl, GL_RGBA8, width, height);
-  target.depth = make_renderbuffer(gl, GL_DEPTH_COMPONENT32F, width, height);
-  target.framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.color.id());
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    take_errors(gl);  // out of memory: told by the empty target, not again by the next draw
-    return {};
+  target.samples = samples;
+  bool complete = true;
+  if (samples > 1) {
+    target.resolved_color = make_renderbuffer(gl, GL_RGBA8, width, height, 1);
+    target.resolved = make_framebuffer(gl, target.resolved_color);
+    complete = is_complete(gl);
   }
-  return target;
+  target.color = make_renderbuffer(gl, GL_RGBA8, width, height, samples);
+  target.depth = make_renderbuffer(gl, GL_DEPTH_COMPONENT32F, width, height, samples);
+  target.framebuffer = make_framebuffer(gl, target.color);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
+  if (complete && is_complete(gl)) return target;
+  take_errors(gl);  // out of memory: told by the empty target, not again by the next draw
+  return {};
+}
+
+void resolve(const Functions& gl, const ColorTarget& target) {
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer.id());
+  if (!target.resolved) return;
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved.id());
+  gl.BlitFramebuffer(0, 0, target.width, target.height, 0, 0, target.width, target.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.resolved.id());
 }
 
 Framebuffer make_depth_target(const Functions& gl, const Texture& texture) {

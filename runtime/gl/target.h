@@ -9,14 +9,20 @@
 namespace plugc::gl {
 
 struct ColorTarget {
-  Framebuffer framebuffer;
+  Framebuffer framebuffer;   ///< Drawn into.
   Renderbuffer color;
   Renderbuffer depth;
+  Framebuffer resolved;      ///< With several samples a pixel: their average, made by resolve().
+  Renderbuffer resolved_color;
   GLsizei width = 0;
   GLsizei height = 0;
+  GLsizei samples = 1;       ///< As asked for; the driver may give more.
 };
 /// No framebuffer when the driver cannot give one of that size.
-ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height);
+ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height, GLsizei samples);
+
+/// Averages the samples, and binds for reading what has one sample a pixel.
+void resolve(const Functions& gl, const ColorTarget& target);
 
 /// A framebuffer whose depth is `texture` and that has no colour.
 Framebuffer make_depth_target(const Functions& gl, const Texture& texture);

@@ -14,6 +14,7 @@ out vec4 castle_FragColor;
 uniform vec4 castle_MaterialDiffuseAlpha;
 #ifdef AMBIENT
 uniform vec3 castle_MaterialAmbient;
+uniform vec3 castle_GlobalAmbient;
 #endif
 #ifdef SPECULAR
 uniform vec3 castle_MaterialSpecular;
@@ -69,7 +70,11 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 #endif
   main_texture_apply(material.diffuse_alpha, normal_eye);
 
+#ifdef AMBIENT
+  vec4 result = vec4(material.ambient * castle_GlobalAmbient, material.diffuse_alpha.a);
+#else
   vec4 result = vec4(0.0, 0.0, 0.0, material.diffuse_alpha.a);
+#endif
   /* PLUG: add_light (result, vertex_eye, normal_eye, material) */
   /* PLUG: add_light_contribution (result, vertex_eye, normal_eye, material.shininess, material.diffuse_alpha) */
   /* PLUG: material_occlusion (result) */
