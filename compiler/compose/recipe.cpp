@@ -136,8 +136,7 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
   Recipe depth;
   depth.depth_only = true;
   for (const int effect : recipe.effects) {
-    const EffectCode& code = codes[static_cast<std::size_t>(effect)];
-    if (code.fills("vertex_object_space_change") || code.fills("vertex_object_space")) depth.effects.push_back(effect);
+    if (codes[static_cast<std::size_t>(effect)].fills("vertex_object_space_change")) depth.effects.push_back(effect);
   }
   depth.normals = recipe.normals && !depth.effects.empty();
   return depth;

@@ -58,7 +58,7 @@ struct ShapeFacts {
 
 /// `codes` holds the outlined effects of the scene, by index.
 Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes);
-/// The recipe of a caster's depth pass: vertex effects only.
+/// The recipe of a caster's depth pass: of its effects only those that move vertices.
 Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes);
 
 /// One line: `phong lit specular; light directional ambient; texture modulate; effects Fresnel`.
