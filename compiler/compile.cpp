@@ -69,7 +69,8 @@ LoadedScene load_scene(const std::filesystem::path& path, std::string_view stage
 }
 
 SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions& options, Validator& validator, SourceSet& sources,
-                         Diagnostics& diagnostics, CompileStatistics& statistics) {
+                         Diagnostics& diagnostics, Compilation& compilation) {
+  CompileStatistics& statistics = compilation.statistics;
   DiskFiles files(options.root.empty() ? default_root(path) : options.root);
   auto timer = std::make_unique<PhaseTimer>(statistics.read);
   LoadedScene loaded = load_scene(path, "", options, files, sources, diagnostics);
@@ -81,11 +82,15 @@ SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions
   ValidationStatistics validation;
   const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
   prepared.parts.programs = validate_recipes(prepared.recipes, input, options.targets, validator, diagnostics, validation);
-  // from here no PLUG marker remains, and every program is valid
+  for (std::size_t i = 0; i < prepared.parts.programs.size(); ++i) {
+    prepared.parts.program_names[i] = to_text(prepared.parts.programs[i].used, prepared.parts.scene);
+  }
+  // from here no PLUG marker remains, every program is valid and named by what it holds
   statistics.compose += validation.compose_milliseconds;
   statistics.validate += validation.validate_milliseconds;
   statistics.compositions += validation.compositions;
   statistics.rechecks += validation.rechecks;
+  compilation.files_read.insert(files.files_read().begin(), files.files_read().end());
   if (options.for_lint) lint_scene(prepared.parts.scene, prepared.effects, diagnostics);
   return std::move(prepared.parts);
 }
@@ -97,7 +102,7 @@ Compilation compile(const std::vector<std::filesystem::path>& scenes, const Comp
   Compilation compilation;
   std::vector<SceneParts> parts;
   for (const std::filesystem::path& path : scenes) {
-    parts.push_back(compile_scene(path, options, validator, sources, diagnostics, compilation.statistics));
+    parts.push_back(compile_scene(path, options, validator, sources, diagnostics, compilation));
   }
   const PhaseTimer timer(compilation.statistics.assemble);
   compilation.package = assemble_package(std::move(parts), sources, fmt::format("plugc {}", PLUGC_VERSION));

@@ -8,6 +8,7 @@
 //     auto bytes = plugc::write_package(made.package);      // diagnostics.all() says what was wrong
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct CompileStatistics {
 struct Compilation {
   PackageT package;
   CompileStatistics statistics;
+  std::set<std::filesystem::path> files_read;  ///< Scenes and all that they include: what the package depends on.
 };
 
 /// Compiles scene files into one package. Mistakes are reported; what could be made is in the package.

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/gzip.h"
 #include "base/limits.h"
 
 namespace plugc {
@@ -43,6 +44,13 @@ std::string_view scheme_of(std::string_view url) {
   return url.substr(0, colon);
 }
 
+FileContent unpacked(std::string bytes) {
+  if (!is_gzip(bytes)) return {FileStatus::ok, std::move(bytes)};
+  auto text = gunzip(bytes, kMaxFileBytes);
+  if (!text) return {FileStatus::damaged, ""};
+  return {FileStatus::ok, std::move(*text)};
+}
+
 }  // namespace
 
 DiskFiles::DiskFiles(fs::path root) : root_(real_path(root)), confined_(!root.empty()) {}
@@ -61,13 +69,14 @@ FileContent DiskFiles::read(const fs::path& path) {
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!stream && !stream.eof()) return {FileStatus::missing, ""};
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return {FileStatus::ok, std::move(bytes)};
+  files_read_.insert(path.lexically_normal());
+  return unpacked(std::move(bytes));
 }
 
 FileContent MemoryFiles::read(const fs::path& path) {
   const auto found = files.find(path.lexically_normal().string());
   if (found == files.end()) return {};
-  return {FileStatus::ok, found->second};
+  return unpacked(found->second);
 }
 
 fs::path default_root(const fs::path& scene) {
@@ -115,6 +124,10 @@ std::optional<std::string> read_url(FileAccess& files, std::string_view url, con
       diagnostics.report(
           DiagnosticId::file_outside_root, span,
           fmt::format("`{}` leads outside the folder that this scene may read; `--root DIR` names a wider one", url));
+      break;
+    case FileStatus::damaged:
+      diagnostics.report(DiagnosticId::file_unreadable, span,
+                         fmt::format("`{}` is gzip-compressed and damaged, or unpacks to more than {} MiB", url, kMaxFileBytes >> 20));
       break;
     case FileStatus::too_large:
       diagnostics.report(DiagnosticId::file_too_large, span,

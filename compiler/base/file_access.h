@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -11,7 +12,7 @@
 
 namespace plugc {
 
-enum class FileStatus { ok, missing, outside_root, too_large };
+enum class FileStatus { ok, missing, outside_root, too_large, damaged };
 
 struct FileContent {
   FileStatus status = FileStatus::missing;
@@ -21,7 +22,7 @@ struct FileContent {
 class FileAccess {
  public:
   virtual ~FileAccess() = default;
-  /// The whole file, or why not. Never throws.
+  /// The whole file, unpacked when it is gzip-compressed, or why not. Never throws.
   virtual FileContent read(const std::filesystem::path& path) = 0;
 };
 
@@ -30,10 +31,13 @@ class DiskFiles : public FileAccess {
  public:
   explicit DiskFiles(std::filesystem::path root);
   FileContent read(const std::filesystem::path& path) override;
+  /// Every file read so far, as it was asked for, each once, in name order: what the result depends on.
+  const std::set<std::filesystem::path>& files_read() const { return files_read_; }
 
  private:
   std::filesystem::path root_;
   bool confined_;
+  std::set<std::filesystem::path> files_read_;
 };
 
 /// Files in memory, for tests and fuzzers.

@@ -37,13 +37,9 @@ std::string make_escaped(std::string_view path) {
 }
 
 /// `out: scene effect.frag ...` for make and ninja.
-std::string depfile_text(const BuildOptions& options, const PackageT& package) {
+std::string depfile_text(const BuildOptions& options, const std::set<std::filesystem::path>& files) {
   std::string text = make_escaped(options.output) + ":";
-  for (const std::string& scene : options.scenes) text += " " + make_escaped(scene);
-  for (const std::string& source : package.sources) {
-    const bool known = std::find(options.scenes.begin(), options.scenes.end(), source) != options.scenes.end();
-    if (!known && !source.starts_with("plugc:")) text += " " + make_escaped(source);
-  }
+  for (const std::filesystem::path& file : files) text += " " + make_escaped(file.string());
   return text + "\n";
 }
 
@@ -73,7 +69,7 @@ int build(const BuildOptions& options) {
   const std::vector<std::uint8_t> bytes = write_package(made.package);
   if (!write_file(options.output, bytes.data(), bytes.size())) return kBrokenUse;
   if (!options.depfile.empty()) {
-    const std::string text = depfile_text(options, made.package);
+    const std::string text = depfile_text(options, made.files_read);
     if (!write_file(options.depfile, text.data(), text.size())) return kBrokenUse;
   }
   print_summary(made, options, bytes.size());

@@ -20,7 +20,7 @@ struct LintOptions {
 };
 
 bool is_scene_file(const fs::path& path) {
-  constexpr std::string_view kEndings[] = {".x3dv", ".x3d", ".wrl"};
+  constexpr std::string_view kEndings[] = {".x3dv", ".x3d", ".wrl", ".x3dvz", ".x3dz", ".wrz"};
   return std::find(std::begin(kEndings), std::end(kEndings), path.extension().string()) != std::end(kEndings);
 }
 

@@ -1,4 +1,5 @@
-// plugc preview: a scene or a package as a picture. The context is made in a second thread while the first one compiles.
+// plugc preview: a scene or a package as a picture. The context is made in a second thread while the first one compiles, and
+// taken down there while the first one writes the picture.
 
 #include <charconv>
 #include <future>
@@ -22,7 +23,7 @@ struct PreviewOptions {
   std::string size = "1280x720";
   std::string viewpoint;
   std::string stage = "teapot";
-  std::uint32_t samples = 4;
+  std::uint32_t samples = 1;
   bool no_shadows = false;
   bool statistics = false;
 };
@@ -53,17 +54,17 @@ struct Drawn {
   std::vector<std::string> messages;
 };
 
-/// Makes the context at once, then waits for the package. All GL of a renderer happens in one thread.
-Drawn draw(const RendererOptions& options, const FrameOptions& frame, std::future<const Package*> package) {
+/// Makes the context at once, then waits for the package. All GL of a renderer happens in one thread, its end too.
+void draw(const RendererOptions& options, const FrameOptions& frame, std::future<const Package*> package, std::promise<Drawn> done) {
   Drawn drawn;
   const std::unique_ptr<Renderer> renderer = Renderer::make(options, drawn.error);
   const Package* loaded = package.get();
-  if (renderer == nullptr || loaded == nullptr) return drawn;
-  if (!renderer->load(*loaded, 0, drawn.error)) return drawn;
-  drawn.picture = renderer->draw(frame);
-  drawn.statistics = renderer->statistics();
-  drawn.messages = renderer->messages();
-  return drawn;
+  if (renderer != nullptr && loaded != nullptr && renderer->load(*loaded, 0, drawn.error)) {
+    drawn.picture = renderer->draw(frame);
+    drawn.statistics = renderer->statistics();
+    drawn.messages = renderer->messages();
+  }
+  done.set_value(std::move(drawn));
 }
 
 bool is_package_file(const std::string& path) {
@@ -100,13 +101,18 @@ int preview(const PreviewOptions& options) {
   std::unique_ptr<Validator> validator;  // forks, so it is made before the drawing thread starts
   if (!packed) validator = std::make_unique<Validator>(make_validator(options.common));
 
+  std::vector<std::uint8_t> bytes;  // outlives the drawing thread
   std::promise<const Package*> package;
-  auto drawing = std::async(std::launch::async, draw, renderer_options(options), frame, package.get_future());
+  std::promise<Drawn> done;
+  std::future<Drawn> picture = done.get_future();
+  const auto drawing =
+      std::async(std::launch::async, draw, renderer_options(options), frame, package.get_future(), std::move(done));
   int status = kFine;
-  const std::vector<std::uint8_t> bytes = package_bytes(options, validator.get(), status);
+  bytes = package_bytes(options, validator.get(), status);
   const PackageView view = open_package(bytes);
   package.set_value(view.package);
-  const Drawn drawn = drawing.get();
+  validator.reset();
+  const Drawn drawn = picture.get();
 
   for (const std::string& message : drawn.messages) fmt::print(stderr, "{}\n", message);
   const std::string& error = view.package == nullptr ? view.error : drawn.error;
@@ -140,7 +146,7 @@ void add_preview_command(CLI::App& app, int& status) {
   verb->add_option("--on", options->stage, "What to try effects on when the file has no shapes: teapot, sphere, box, plane")
       ->check(CLI::IsMember({"teapot", "sphere", "box", "plane"}))
       ->capture_default_str();
-  verb->add_option("--samples", options->samples, "Samples a pixel, to smooth edges")->check(CLI::Range(1, 4))->capture_default_str();
+  verb->add_option("--samples", options->samples, "Samples a pixel; 4 smooths edges and costs time")->check(CLI::Range(1, 4))->capture_default_str();
   verb->add_flag("--no-shadows", options->no_shadows, "Draw everything lit, to see what shadows do");
   verb->add_flag("--statistics", options->statistics, "Print draw calls, programs and shadow passes");
   add_common_options(*verb, options->common);

@@ -60,7 +60,12 @@ std::string_view uniform_type(FieldType type) {
   }
 }
 
-bool feeds(const ShaderField& field, std::string_view glsl_type) { return uniform_type(field.type) == glsl_type; }
+bool feeds(const ShaderField& field, std::string_view glsl_type) {
+  if (!is_node(field.type)) return uniform_type(field.type) == glsl_type;
+  // a texture that plugc does not draw yet has said so; any sampler may stand for it
+  const bool drawn = std::any_of(field.textures.begin(), field.textures.end(), [](int texture) { return texture >= 0; });
+  return drawn ? glsl_type == "sampler2D" : glsl_type.find("sampler") != std::string_view::npos;
+}
 
 void check_fields(const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics) {
   Uniforms uniforms;

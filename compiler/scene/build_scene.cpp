@@ -32,6 +32,7 @@ class SceneWalk {
 
   void run() {
     visit_list(graph_.roots(), Scope());
+    if (context_.options.all_branches) add_unreached_effects();
     add_headlight(context_, navigation_info_);
     context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
     if (!has_background_) context_.scene.background_color = context_.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
@@ -48,6 +49,7 @@ class SceneWalk {
   void visit_viewpoint(NodeId node, const Scope& scope);
   void visit_bindable(NodeId node, const Scope& scope);
   void add_global_lights(SceneShape& shape);
+  void add_unreached_effects();
   int add_transform(const SceneTransform& transform);
   bool within_limits(NodeId node);
 
@@ -200,6 +202,27 @@ void SceneWalk::visit_bindable(NodeId node, const Scope& scope) {
     context_.scene.background_color = context_.slots.slot(node, "skyColor");
   } else if ((graph_.is(node, "NavigationInfo") || graph_.is(node, "KambiNavigationInfo")) && !navigation_info_.valid()) {
     navigation_info_ = node;
+  }
+}
+
+/// Effects that no shape shows (in an unused prototype, say) are tried on a copy of the first shape.
+void SceneWalk::add_unreached_effects() {
+  if (context_.scene.shapes.empty()) return;
+  const SceneShape bare = [&] {
+    SceneShape shape = context_.scene.shapes.front();
+    shape.effects.clear();
+    shape.shader = -1;
+    return shape;
+  }();
+  for (std::uint32_t i = 0; i < graph_.size(); ++i) {
+    const NodeId node{i};
+    if (!graph_.is(node, "Effect") || context_.effects.contains(node)) continue;
+    const int effect = effect_index(context_, node);
+    if (effect < 0) continue;
+    SceneShape shape = bare;
+    shape.effects.push_back(effect);
+    context_.scene.shapes.push_back(std::move(shape));
+    receives_.emplace_back();
   }
 }
 
