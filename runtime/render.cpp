@@ -138,6 +138,7 @@ std::unique_ptr<Renderer> Renderer::make(const RendererOptions& options, std::st
   renderer->state_->context = std::move(context);
   renderer->state_->gl = functions;
   gl::set_context_defaults(renderer->state_->gl);
+  gl::warm_up_compiler(renderer->state_->gl);  // here, as the package is often still being made
   return renderer;
 }
 

@@ -81,7 +81,7 @@ int build(const BuildOptions& options) {
 void add_build_command(CLI::App& app, int& status) {
   auto options = std::make_shared<BuildOptions>();
   CLI::App* verb = app.add_subcommand("build", "Compile scenes into a package that the runtime draws");
-  verb->add_option("SCENE", options->scenes, "X3D scenes (.x3dv, .x3d, .wrl)")->required()->check(CLI::ExistingFile);
+  verb->add_option("SCENE", options->scenes, "X3D scenes (.x3dv, .x3d, .x3dj, .wrl)")->required()->check(CLI::ExistingFile);
   verb->add_option("-o,--output", options->output, "The package to write (.plugpack)")->required();
   verb->add_option("--target", options->common.targets, "Dialects to compile for: glsl330, essl300, spirv")
       ->delimiter(',')

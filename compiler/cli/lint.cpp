@@ -1,6 +1,7 @@
 // plugc lint: every effect of the files given, also those that are disabled or in branches that are not drawn.
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>
@@ -19,9 +20,18 @@ struct LintOptions {
   std::string format = "text";
 };
 
+/// Most `.json` files of a folder are no scenes; one that is says so right away.
+bool begins_with_x3d(const fs::path& path) {
+  std::string beginning(1024, '\0');
+  std::ifstream(path, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return beginning.find("\"X3D\"") != std::string::npos;
+}
+
 bool is_scene_file(const fs::path& path) {
-  constexpr std::string_view kEndings[] = {".x3dv", ".x3d", ".wrl", ".x3dvz", ".x3dz", ".wrz"};
-  return std::find(std::begin(kEndings), std::end(kEndings), path.extension().string()) != std::end(kEndings);
+  constexpr std::string_view kEndings[] = {".x3dv", ".x3d", ".x3dj", ".wrl", ".x3dvz", ".x3dz", ".wrz"};
+  const std::string ending = path.extension().string();
+  if (ending == ".json") return begins_with_x3d(path);
+  return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
 }
 
 /// Files as given; folders are searched for scenes, in name order.

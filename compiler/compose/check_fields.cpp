@@ -69,10 +69,12 @@ bool feeds(const ShaderField& field, std::string_view glsl_type) {
 
 void check_fields(const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics) {
   Uniforms uniforms;
+  const auto collect_part = [&](const EffectCode::Part& part) {
+    for (const auto& unit : {part.in_vertex, part.in_fragment, part.in_geometry}) collect(unit.get(), uniforms);
+  };
   for (const EffectCode::Part& part : code.parts) {
-    collect(part.in_vertex.get(), uniforms);
-    collect(part.in_fragment.get(), uniforms);
-    collect(part.in_geometry.get(), uniforms);
+    collect_part(part);
+    if (part.for_essl) collect_part(*part.for_essl);
   }
   for (const auto& [name, uniform] : uniforms) {
     const ShaderField* field = find_field(effect, name);

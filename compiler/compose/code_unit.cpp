@@ -4,6 +4,8 @@
 #include "compose/code_unit.h"
 
 #include <algorithm>
+#include <set>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -17,19 +19,42 @@ Storage varying_storage(ShaderStage stage) { return stage == ShaderStage::vertex
 void report_problems(const CodeUnit& unit, Diagnostics& diagnostics) {
   if (unit.tokens.too_many) {
     diagnostics.report(DiagnosticId::shader_limit, unit.span(0, 1),
-                       fmt::format("this part has more than {} tokens; what follows is left out", kMaxShaderTokens));
+                       fmt::format("this part has more than {} tokens; it is left out", kMaxShaderTokens));
   }
   for (const OutlineProblem& problem : unit.outline.problems) {
     diagnostics.report(DiagnosticId::shader_syntax, unit.span(problem.begin, problem.end), problem.message);
   }
 }
 
-template <typename Predicate>
-bool any_unit(const EffectCode& code, Predicate predicate) {
-  return std::any_of(code.parts.begin(), code.parts.end(), [&](const EffectCode::Part& part) {
-    return (part.in_vertex && predicate(*part.in_vertex)) || (part.in_fragment && predicate(*part.in_fragment)) ||
-           (part.in_geometry && predicate(*part.in_geometry));
-  });
+constexpr std::string_view kEsslQuestions[] = {"GL_ES", "__VERSION__"};
+
+EffectCode::Part make_part(const ShaderSource& source, Target target) {
+  EffectCode::Part part;
+  part.stage = source.stage;
+  const auto make = [&](ShaderStage stage) { return make_code_unit(source.text, stage, target); };
+  const bool light = source.stage == PartStage::light;
+  if (light || source.stage == PartStage::vertex) part.in_vertex = make(ShaderStage::vertex);
+  if (light || source.stage == PartStage::fragment) part.in_fragment = make(ShaderStage::fragment);
+  if (source.stage == PartStage::geometry) part.in_geometry = make(ShaderStage::geometry);
+  return part;
+}
+
+bool asks_for_essl(const ShaderSource& source) {
+  return std::any_of(std::begin(kEsslQuestions), std::end(kEsslQuestions),
+                     [&](std::string_view name) { return source.text.text().find(name) != std::string::npos; });
+}
+
+void sort_unique(std::vector<std::string>& names) {
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+}
+
+void note_names(const CodeUnit& unit, EffectCode& code) {
+  code.castle_names.insert(code.castle_names.end(), unit.castle_names.begin(), unit.castle_names.end());
+  for (const FunctionOutline& function : unit.outline.functions) {
+    const std::string_view plug = plug_name(function.name);
+    if (!plug.empty() && function.is_definition()) code.plugs.emplace_back(plug);
+  }
 }
 
 }  // namespace
@@ -44,48 +69,43 @@ std::string_view CodeUnit::written_name(std::string_view name) const {
   return found == renamed_names.end() ? name : std::string_view(found->written);
 }
 
-std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage) {
+std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage, Target target) {
+  static const std::vector<MacroDefinition> kEssl = {{"GL_ES", "1"}, {"__VERSION__", "300"}};
+  const auto predefined = target == Target::essl300 ? std::span<const MacroDefinition>(kEssl) : std::span<const MacroDefinition>();
   auto unit = std::make_shared<CodeUnit>();
-  UpgradedText upgraded = upgrade(text, stage, {});
+  UpgradedText upgraded = upgrade(text, stage, predefined);
   unit->text = std::move(upgraded.text);
   unit->castle_names = std::move(upgraded.used_names);
   unit->renamed_names = std::move(upgraded.renamed_names);
-  unit->tokens = tokenize(unit->text.text(), {});
+  unit->tokens = tokenize(unit->text.text(), predefined);
   unit->outline = outline(unit->text.text(), unit->tokens, varying_storage(stage));
   return unit;
 }
 
-bool EffectCode::fills(std::string_view plug) const {
-  return any_unit(*this, [&](const CodeUnit& unit) {
-    return std::any_of(unit.outline.functions.begin(), unit.outline.functions.end(), [&](const FunctionOutline& function) {
-      return function.is_definition() && plug_name(function.name) == plug;
-    });
-  });
-}
+bool EffectCode::fills(std::string_view plug) const { return std::binary_search(plugs.begin(), plugs.end(), plug); }
 
 bool EffectCode::uses(std::string_view castle_name) const {
-  return any_unit(*this, [&](const CodeUnit& unit) {
-    return std::find(unit.castle_names.begin(), unit.castle_names.end(), castle_name) != unit.castle_names.end();
-  });
+  return std::binary_search(castle_names.begin(), castle_names.end(), castle_name);
 }
 
 EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics) {
   EffectCode code;
-  std::vector<NodeId> seen;
+  std::set<NodeId> seen;
   for (const ShaderSource& source : effect.parts) {
-    if (std::find(seen.begin(), seen.end(), source.node) != seen.end()) continue;
-    seen.push_back(source.node);
-    EffectCode::Part part;
-    part.stage = source.stage;
-    const bool light = source.stage == PartStage::light;
-    if (light || source.stage == PartStage::vertex) part.in_vertex = make_code_unit(source.text, ShaderStage::vertex);
-    if (light || source.stage == PartStage::fragment) part.in_fragment = make_code_unit(source.text, ShaderStage::fragment);
-    if (source.stage == PartStage::geometry) part.in_geometry = make_code_unit(source.text, ShaderStage::geometry);
+    if (!seen.insert(source.node).second) continue;
+    EffectCode::Part part = make_part(source, Target::glsl330);
+    if (asks_for_essl(source)) part.for_essl = std::make_shared<const EffectCode::Part>(make_part(source, Target::essl300));
+    bool too_large = false;
     for (const auto& unit : {part.in_vertex, part.in_fragment, part.in_geometry}) {
-      if (unit) report_problems(*unit, diagnostics);
+      if (!unit) continue;
+      report_problems(*unit, diagnostics);
+      too_large = too_large || unit->tokens.too_many;
+      if (!too_large) note_names(*unit, code);
     }
-    code.parts.push_back(std::move(part));
+    if (!too_large) code.parts.push_back(std::move(part));
   }
+  sort_unique(code.plugs);
+  sort_unique(code.castle_names);
   return code;
 }
 

@@ -35,8 +35,8 @@ struct CodeUnit {
 /// `PLUG_name` -> `name`; "" for other names.
 std::string_view plug_name(std::string_view function_name);
 
-/// Upgrades and outlines a text for a stage.
-std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage);
+/// Upgrades and outlines a text for a stage. The target decides what `GL_ES` and `__VERSION__` make of its `#if`s.
+std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage, Target target = Target::glsl330);
 
 /// An effect's or ComposedShader's parts. A LIGHT part has two forms, one for each stage that may light.
 struct EffectCode {
@@ -45,8 +45,13 @@ struct EffectCode {
     std::shared_ptr<const CodeUnit> in_vertex;    ///< Set for VERTEX and LIGHT.
     std::shared_ptr<const CodeUnit> in_fragment;  ///< Set for FRAGMENT and LIGHT.
     std::shared_ptr<const CodeUnit> in_geometry;  ///< Set for GEOMETRY.
+    std::shared_ptr<const Part> for_essl;         ///< The part as ESSL reads it, when it asks for `GL_ES` or `__VERSION__`.
+
+    const Part& form(Target target) const { return target == Target::essl300 && for_essl ? *for_essl : *this; }
   };
   std::vector<Part> parts;  ///< Each EffectPart node once, however often it is USEd.
+  std::vector<std::string> plugs;         ///< That some part fills: sorted, each once.
+  std::vector<std::string> castle_names;  ///< That some part uses: sorted, each once.
 
   bool fills(std::string_view plug) const;        ///< Some part defines PLUG_plug.
   bool uses(std::string_view castle_name) const;  ///< Some part names it.

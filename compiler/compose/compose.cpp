@@ -1,9 +1,11 @@
-// Composing is three passes over one list of placed units: place, resolve, join. See placed_unit.h for what they share.
+// Composing is passes over one list of placed units: place them, resolve their plugs, give their names, write them down. See
+// placed_unit.h for what the passes share.
 
 #include "compose/compose.h"
 
 #include <algorithm>
 
+#include "compose/castle_names.h"
 #include "compose/placed_unit.h"
 
 namespace plugc {
@@ -16,33 +18,62 @@ void Composition::mark_faulty(const PlacedUnit& unit) {
   if (std::find(faulty.begin(), faulty.end(), owner.index) == faulty.end()) faulty.push_back(owner.index);
 }
 
+std::string Composition::final_name(const PlacedUnit& unit, std::string_view name) const {
+  const Owner& owner = owners[unit.owner];
+  if (const auto found = owner.renames.find(name); found != owner.renames.end()) return found->second;
+  if (unit.scope.kind == ScopeKind::light && owner.kind == OwnerKind::effect) {
+    if (std::string numbered = number_own_light(name, unit.scope.number); !numbered.empty()) return numbered;
+  }
+  return std::string(name);
+}
+
+Span name_span(const CodeUnit& code, std::string_view name, std::uint32_t begin) {
+  return code.span(begin, begin + static_cast<std::uint32_t>(name.size()));
+}
+
 ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target target, Diagnostics& diagnostics) {
   ComposedProgram program;
-  Composition composition(recipe, input, diagnostics, program);
+  Composition composition(recipe, input, target, diagnostics, program);
   place_units(composition);
   // from here the list of units is complete, and its order is the order of calls
   resolve_plugs(composition);
   // from here every plug function has its calls and its name
-  join_names(composition);
+  name_owners(composition);
   // from here no two owners' names meet
+  bind_names(composition);
+  // from here what an owner only declares has its definition's name, and uniforms know their fields
   for (const ShaderStage stage : {ShaderStage::vertex, ShaderStage::fragment}) {
-    program.stages.push_back({stage, stage_text(composition, stage, target)});
+    program.stages.push_back({stage, stage_text(composition, stage)});
   }
   return program;
 }
 
+namespace {
+
+void erase_effects(Recipe& recipe, auto predicate) {
+  std::erase_if(recipe.effects, predicate);
+  for (LightRecipe& light : recipe.lights) std::erase_if(light.effects, predicate);
+  for (TextureRecipe& texture : recipe.textures) std::erase_if(texture.effects, predicate);
+}
+
+}  // namespace
+
 Recipe without_effect(Recipe recipe, int effect) {
-  std::erase(recipe.effects, effect);
-  for (LightRecipe& light : recipe.lights) std::erase(light.effects, effect);
-  for (TextureRecipe& texture : recipe.textures) std::erase(texture.effects, effect);
+  erase_effects(recipe, [&](int each) { return each == effect; });
+  return recipe;
+}
+
+Recipe with_effects(Recipe recipe, const std::set<int>& effects) {
+  erase_effects(recipe, [&](int each) { return !effects.contains(each); });
   return recipe;
 }
 
 std::vector<int> all_effects(const Recipe& recipe) {
   std::vector<int> effects;
+  std::set<int> known;
   const auto add = [&](const std::vector<int>& list) {
     for (const int effect : list) {
-      if (std::find(effects.begin(), effects.end(), effect) == effects.end()) effects.push_back(effect);
+      if (known.insert(effect).second) effects.push_back(effect);
     }
   };
   for (const LightRecipe& light : recipe.lights) add(light.effects);

@@ -2,6 +2,7 @@
 // Recipe in, program text out: the pieces of code that a recipe asks for are placed, plugs are resolved into calls, and
 // all is joined into one text a stage whose every byte leads back to its author.
 
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,6 +53,8 @@ ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target 
 
 /// The recipe without an effect, wherever it stands.
 Recipe without_effect(Recipe recipe, int effect);
+/// The recipe with these effects only.
+Recipe with_effects(Recipe recipe, const std::set<int>& effects);
 /// Every effect of a recipe, each once, in call order.
 std::vector<int> all_effects(const Recipe& recipe);
 

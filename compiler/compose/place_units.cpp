@@ -1,7 +1,9 @@
 // Which pieces of code make up a program, in the order in which they are called: the base shader (or a ComposedShader),
-// the renderer's lights and textures, then the effects of each light with its shadow, of each texture, of the shape.
+// the renderer's lights and textures, then the effects of each light with its shadow, of each texture, of the shape. Libraries
+// that effects name come last: they only define functions.
 
 #include <algorithm>
+#include <set>
 
 #include "compose/castle_names.h"
 #include "compose/placed_unit.h"
@@ -12,7 +14,12 @@ namespace {
 class Placer {
  public:
   explicit Placer(Composition& composition)
-      : c_(composition), recipe_(composition.recipe), lighting_(recipe_.gouraud ? ShaderStage::vertex : ShaderStage::fragment) {}
+      : c_(composition), recipe_(composition.recipe), lighting_(recipe_.gouraud ? ShaderStage::vertex : ShaderStage::fragment) {
+    for (const int effect : all_effects(recipe_)) {
+      const auto& names = c_.input.effects[static_cast<std::size_t>(effect)].castle_names;
+      used_names_.insert(names.begin(), names.end());
+    }
+  }
 
   void place();
 
@@ -26,14 +33,17 @@ class Placer {
   void place_effects(const std::vector<int>& effects, Scope scope);
   void place_code(const EffectCode& code, std::size_t owner, Scope scope);
   void place_wanted_coordinates();
+  void place_libraries();
   bool base_has_marker(std::string_view name) const;
-  bool effects_use(std::string_view castle_name) const;
+  bool effects_use(std::string_view castle_name) const { return used_names_.contains(castle_name); }
   Features base_features() const;
   Features light_features(const LightRecipe& light) const;
 
   Composition& c_;
   const Recipe& recipe_;
   ShaderStage lighting_;
+  std::set<std::string_view> used_names_;  // castle_ names in the code of effects
+  bool base_adds_lights_ = false;          // the base shader has the plug `add_light`, not only its older form
 };
 
 void Placer::add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, Scope scope) {
@@ -51,19 +61,13 @@ void Placer::add_template(std::string_view name, ShaderStage stage, const Featur
   add(c_.input.templates.get(name, stage, features, scope.number), stage, 0, scope);
 }
 
-bool Placer::effects_use(std::string_view castle_name) const {
-  const auto effects = all_effects(recipe_);
-  return std::any_of(effects.begin(), effects.end(),
-                     [&](int effect) { return c_.input.effects[static_cast<std::size_t>(effect)].uses(castle_name); });
-}
-
 Features Placer::base_features() const {
   Features features;
   const std::pair<bool, std::string_view> all[] = {
       {recipe_.lit, "LIT"}, {!recipe_.lit, "UNLIT"}, {recipe_.normals, "NORMALS"}, {recipe_.two_sided, "TWO_SIDED"},
       {recipe_.color_per_vertex, "COLOR_PER_VERTEX"}, {recipe_.vertex_eye, "VERTEX_EYE"}, {recipe_.ambient, "AMBIENT"},
       {recipe_.specular, "SPECULAR"}, {recipe_.emissive, "EMISSIVE"},
-      {recipe_.normals && effects_use("castle_normal_eye"), "NORMAL_EYE"}};
+      {(recipe_.normals && !recipe_.gouraud) || effects_use("castle_normal_eye"), "NORMAL_EYE"}};
   for (const auto& [set, name] : all) {
     if (set) features.insert(name);
   }
@@ -75,7 +79,7 @@ Features Placer::light_features(const LightRecipe& light) const {
   const std::pair<bool, std::string_view> all[] = {
       {light.kind != LightKind::directional, "POSITIONAL"}, {light.kind == LightKind::spot, "SPOT"},
       {light.ambient, "LIGHT_AMBIENT"}, {light.attenuation, "ATTENUATION"}, {light.radius, "RADIUS"},
-      {light.beam_width, "BEAM_WIDTH"}, {recipe_.specular, "SPECULAR"}, {!base_has_marker("add_light"), "AS_CONTRIBUTION"}};
+      {light.beam_width, "BEAM_WIDTH"}, {recipe_.specular, "SPECULAR"}, {!base_adds_lights_, "AS_CONTRIBUTION"}};
   for (const auto& [set, name] : all) {
     if (set) features.insert(name);
   }
@@ -123,7 +127,9 @@ void Placer::place_light(int number) {
   const LightRecipe& light = recipe_.lights[static_cast<std::size_t>(number)];
   const Scope scope{ScopeKind::light, number};
   add_template("light.glsl", lighting_, light_features(light), scope);
-  if (light.shadow) add_template("shadow.vert", ShaderStage::vertex, {}, scope);
+  if (!light.shadow) return;
+  add_template("shadow.vert", ShaderStage::vertex, {}, scope);
+  c_.units.back().of_shadow = true;
 }
 
 void Placer::place_texture(int number) {
@@ -146,8 +152,19 @@ void Placer::place_wanted_coordinates() {
   }
 }
 
+/// `castle-shader:/EyeWorldSpace.glsl` once in each stage in which an effect that names it has code (the scene knows no other).
+void Placer::place_libraries() {
+  std::set<ShaderStage> stages;
+  for (const PlacedUnit& unit : c_.units) {
+    const Owner& owner = c_.owners[unit.owner];
+    if (owner.kind == OwnerKind::effect && !c_.author(owner).libraries.empty()) stages.insert(unit.stage);
+  }
+  for (const ShaderStage stage : stages) add_template("eye_world_space.glsl", stage, {}, {});
+}
+
 void Placer::place_code(const EffectCode& code, std::size_t owner, Scope scope) {
-  for (const EffectCode::Part& part : code.parts) {
+  for (const EffectCode::Part& any_form : code.parts) {
+    const EffectCode::Part& part = any_form.form(c_.target);
     if (part.stage == PartStage::light) {
       add(lighting_ == ShaderStage::vertex ? part.in_vertex : part.in_fragment, lighting_, owner, scope);
     } else if (part.stage == PartStage::vertex) {
@@ -167,6 +184,7 @@ void Placer::place_effects(const std::vector<int>& effects, Scope scope) {
 
 void Placer::place() {
   place_base();
+  base_adds_lights_ = base_has_marker("add_light");
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) place_light(static_cast<int>(i));
   for (std::size_t i = 0; i < recipe_.textures.size(); ++i) place_texture(static_cast<int>(i));
   place_wanted_coordinates();
@@ -177,12 +195,14 @@ void Placer::place() {
     place_effects(light.effects, scope);
     if (light.shadow) {
       add_template("shadow.glsl", lighting_, light.shadow_intensity ? Features{"SHADOW_INTENSITY"} : Features{}, scope);
+      c_.units.back().of_shadow = true;
     }
   }
   for (std::size_t i = 0; i < recipe_.textures.size(); ++i) {
     place_effects(recipe_.textures[i].effects, {ScopeKind::texture, static_cast<int>(i)});
   }
   place_effects(recipe_.effects, {});
+  place_libraries();
 }
 
 }  // namespace

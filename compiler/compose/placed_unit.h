@@ -1,11 +1,13 @@
 #pragma once
-// The working state of one composition. Internal to the compose room: place_units.cpp makes it, resolve_plugs.cpp adds
-// the calls, join_units.cpp turns it into text.
+// The working state of one composition. Internal to the compose room: place_units.cpp makes it, resolve_plugs.cpp decides
+// the calls, name_owners.cpp and bind_names.cpp give every name its final form, stage_text.cpp writes it down.
 
 #include <array>
 #include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "compose/compose.h"
@@ -20,7 +22,7 @@ enum class ScopeKind : std::uint8_t { shape, light, texture };
 struct Scope {
   ScopeKind kind = ScopeKind::shape;
   int number = -1;
-  friend bool operator==(Scope, Scope) = default;
+  friend auto operator<=>(Scope, Scope) = default;
 };
 
 struct Owner {
@@ -29,16 +31,11 @@ struct Owner {
   std::map<std::string, std::string, std::less<>> renames;
 };
 
-/// A call that a marker gets: the statement, and the plug function's place.
+/// A call that a marker gets: which plug function of which unit.
 struct PlugCall {
-  std::string statement;
-  Span origin;
-};
-
-/// A prototype that a unit needs in front of its functions.
-struct ForwardDeclaration {
-  std::string text;
-  Span origin;
+  std::size_t unit = 0;
+  std::size_t function = 0;
+  bool rgb_only = false;                        ///< A vec3 function at a vec4 marker: it gets `.rgb` of the first argument.
 };
 
 struct PlacedUnit {
@@ -46,39 +43,69 @@ struct PlacedUnit {
   ShaderStage stage = ShaderStage::vertex;
   std::size_t owner = 0;                        ///< Into Composition::owners; 0 is the renderer.
   Scope scope;
+  bool of_shadow = false;                       ///< Without it the shape merely shows no shadow of its light.
   bool dropped = false;                         ///< A piece of the renderer whose plugs the base shader lacks.
-  std::vector<std::string> function_names;      ///< Final names by function; empty: not renamed one by one.
+  std::vector<std::string> function_names;      ///< Final names of plug functions by function; others are empty.
   std::vector<std::vector<PlugCall>> calls;     ///< By marker.
-  std::vector<ForwardDeclaration> forward;
+};
+
+/// The stages in which a name counts.
+using StageMask = unsigned;
+constexpr StageMask in_stage(ShaderStage stage) { return 1U << static_cast<unsigned>(stage); }
+inline constexpr StageMask kAllStages = (1U << kStageCount) - 1;
+
+/// The names that are taken, and by whom.
+class TakenNames {
+ public:
+  /// Whether nobody else has the name in any of the stages.
+  bool is_free(std::string_view name, StageMask stages, std::size_t owner) const;
+  void take(const std::string& name, StageMask stages, std::size_t owner);
+  /// `name_2`, `name_3`, ...: the first that is free in all stages and none of the owner's own words.
+  std::string new_name(const std::string& name, std::size_t owner, const std::vector<PlacedUnit>& units);
+
+ private:
+  const std::unordered_set<std::string_view>& words_of(std::size_t owner, const std::vector<PlacedUnit>& units);
+  std::array<std::unordered_map<std::string_view, std::size_t>, kStageCount> owners_;
+  std::vector<std::unique_ptr<const std::string>> kept_;                     // what the keys above point into
+  std::unordered_map<std::string, int> next_number_;                         // so that a thousand equal names stay cheap
+  std::unordered_map<std::size_t, std::unordered_set<std::string_view>> words_;
 };
 
 struct Composition {
-  Composition(const Recipe& asked, const ComposeInput& from, Diagnostics& sink, ComposedProgram& program)
-      : recipe(asked), input(from), diagnostics(sink), result(program) {}
+  Composition(const Recipe& asked, const ComposeInput& from, Target for_target, Diagnostics& sink, ComposedProgram& program)
+      : recipe(asked), input(from), target(for_target), diagnostics(sink), result(program) {}
 
   const Recipe& recipe;
   const ComposeInput& input;
+  const Target target;
   Diagnostics& diagnostics;
   ComposedProgram& result;
   std::vector<Owner> owners = {Owner{}};
   std::vector<PlacedUnit> units;                ///< In call order, which is also text order within a stage.
-  std::array<std::map<std::string, std::size_t, std::less<>>, kStageCount> taken = {};  ///< Global names by stage -> owner.
+  TakenNames taken;
 
   const SceneEffect& author(const Owner& owner) const {
     return (owner.kind == OwnerKind::shader ? input.scene.shaders : input.scene.effects)[static_cast<std::size_t>(owner.index)];
   }
-  std::map<std::string, std::size_t, std::less<>>& taken_in(ShaderStage stage) { return taken[static_cast<std::size_t>(stage)]; }
+  bool by_author(const PlacedUnit& unit) const { return owners[unit.owner].kind != OwnerKind::renderer; }
+  /// A name as the composed text has it; in a light's own effect `castle_LightSource...` is that light's.
+  std::string final_name(const PlacedUnit& unit, std::string_view name) const;
   /// Leaves the unit's effect (or the ComposedShader) out of the program.
   void mark_faulty(const PlacedUnit& unit);
 };
+
+/// The place of a name that stands at `begin` in the unit's text.
+Span name_span(const CodeUnit& code, std::string_view name, std::uint32_t begin);
 
 /// The pieces of code that the recipe asks for.
 void place_units(Composition& composition);
 /// A call at every marker for every plug function that reaches it.
 void resolve_plugs(Composition& composition);
-/// Gives every global its name, and says which uniforms the authors' fields feed.
-void join_names(Composition& composition);
+/// Gives every global its name.
+void name_owners(Composition& composition);
+/// Finds what owners only declare: functions and inputs of other owners, fields that feed uniforms.
+void bind_names(Composition& composition);
 /// The text of a stage. From here no PLUG marker remains.
-MappedText stage_text(Composition& composition, ShaderStage stage, Target target);
+MappedText stage_text(Composition& composition, ShaderStage stage);
 
 }  // namespace plugc

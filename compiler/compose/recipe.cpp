@@ -135,8 +135,13 @@ Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts
 Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes) {
   Recipe depth;
   depth.depth_only = true;
-  for (const int effect : recipe.effects) {
-    if (codes[static_cast<std::size_t>(effect)].fills("vertex_object_space_change")) depth.effects.push_back(effect);
+  const auto code = [&](int effect) -> const EffectCode& { return codes[static_cast<std::size_t>(effect)]; };
+  const bool moves = std::any_of(recipe.effects.begin(), recipe.effects.end(),
+                                 [&](int effect) { return code(effect).fills("vertex_object_space_change"); });
+  for (const int effect : recipe.effects) {  // those that move nothing may still define what the movers call
+    const auto& parts = code(effect).parts;
+    const bool in_vertex = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.stage == PartStage::vertex; });
+    if (moves && in_vertex) depth.effects.push_back(effect);
   }
   depth.normals = recipe.normals && !depth.effects.empty();
   return depth;

@@ -1,13 +1,16 @@
 // For every plug function, in call order: find the markers that it reaches, check that it fits, give it a name of its own
-// and add its call there. A light's or texture's function looks at its own light or texture first, then at the shape
-// (thesis 9.1.1); a marker in an effect serves what comes later, any other marker serves all.
+// and note its call there. A light's or texture's function looks at its own light or texture first, then at the shape
+// (thesis 9.1.1); a marker in an effect serves what comes later, any other marker serves all. Markers are looked up by stage
+// and name, so that a thousand effects cost a thousand times one.
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "base/limits.h"
 #include "compose/placed_unit.h"
+#include "compose/plug_signature.h"
 #include "compose/plug_table.h"
 
 namespace plugc {
@@ -18,170 +21,202 @@ struct MarkerPlace {
   std::size_t marker = 0;
 };
 
+/// At a marker a function is called, or its overload is, or the texture is of another kind, or its author erred.
+enum class CallResult { called, for_overload, other_texture, misfit };
+
 class PlugResolver {
  public:
   explicit PlugResolver(Composition& composition) : c_(composition) {}
   void resolve();
 
  private:
+  void index_markers();
   void resolve_unit(std::size_t unit);
   void resolve_function(std::size_t unit, std::size_t function);
-  std::vector<MarkerPlace> reached_markers(std::size_t unit, std::string_view plug) const;
-  std::vector<MarkerPlace> find_markers(std::size_t unit, std::string_view plug, bool own_scope) const;
-  bool fits(std::size_t unit, const FunctionOutline& function, const MarkerPlace& place);
-  void add_call(std::size_t unit, std::size_t function, const MarkerPlace& place);
-  void report_unreached(const PlacedUnit& unit, const FunctionOutline& function, std::string_view plug);
-  bool check_signature(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
-  std::string unique_name(ShaderStage stage, const std::string& name, std::size_t owner);
-  void report(DiagnosticId id, const PlacedUnit& unit, const FunctionOutline& function, std::string message) const;
+  bool is_sound(const PlacedUnit& unit, const FunctionOutline& function, const std::vector<MarkerPlace>& markers);
+  std::vector<MarkerPlace> reached_markers(std::size_t unit, std::size_t function) const;
+  std::vector<MarkerPlace> find_markers(std::size_t unit, std::size_t function, bool own_scope) const;
+  CallResult call_at(std::size_t unit, std::size_t function, const MarkerPlace& place);
+  CallResult add_call(std::size_t unit, std::size_t function, const MarkerPlace& place);
+  void report_unreached(const PlacedUnit& unit, const FunctionOutline& function);
+  void report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
+  void report_unknown(const PlacedUnit& unit, const FunctionOutline& function);
+  void report_misfit(const PlacedUnit& unit, const FunctionOutline& function, const MarkerPlace& place);
+  void give_name(PlacedUnit& unit, std::size_t function);
+  void report(DiagnosticId id, const PlacedUnit& unit, const FunctionOutline& function, std::string message,
+              std::vector<RelatedPlace> related = {}) const;
   void list_plugs() const;
+  void note_missing_shadows() const;
+  const MarkerOutline& marker_at(const MarkerPlace& place) const { return c_.units[place.unit].code->outline.markers[place.marker]; }
+  Span marker_span(const MarkerPlace& place) const {
+    return c_.units[place.unit].code->span(marker_at(place).begin, marker_at(place).end);
+  }
 
   Composition& c_;
+  std::map<std::pair<ShaderStage, std::string_view>, std::vector<MarkerPlace>> markers_;
   std::set<std::string, std::less<>> filled_;
+  std::set<Scope> dropped_scopes_, dropped_shadows_;
+  std::map<std::string_view, std::size_t> definitions_;  // of the unit at hand: how many functions have the name
+  std::size_t call_bytes_ = 0;
 };
 
-std::size_t argument_count(std::string_view arguments) {
-  if (arguments.find_first_not_of(" \t\r\n") == std::string_view::npos) return 0;
-  std::size_t count = 1;
-  int depth = 0;
-  for (const char c : arguments) {
-    if (c == '(' || c == '[') ++depth;
-    if (c == ')' || c == ']') --depth;
-    if (c == ',' && depth == 0) ++count;
-  }
-  return count;
-}
+bool is_in_function(const MarkerOutline& marker) { return marker.enclosing_function != UINT32_MAX; }
 
-bool is_sampler(std::string_view type) { return type.find("sampler") != std::string_view::npos; }
-
-/// Whether a function's parameter may stand where the plug has `plug` (thesis, appendix A: qualifiers may be weakened).
-bool parameter_fits(const Parameter& parameter, const PlugParameter& plug, bool per_light_color) {
-  const bool direction_fits = parameter.direction == Direction::in || plug.direction == "inout";
-  const bool type_fits = parameter.type == plug.type || (plug.type == "samplerT" && is_sampler(parameter.type)) ||
-                         (per_light_color && plug.type == "vec4" && parameter.type == "vec3");
-  return direction_fits && type_fits && parameter.array.empty();
-}
-
-/// material_light_ambient and _specular: the thesis has vec4, the newer engine vec3; both are taken.
-bool is_per_light_color(std::string_view plug) { return plug == "material_light_ambient" || plug == "material_light_specular"; }
-
-void PlugResolver::report(DiagnosticId id, const PlacedUnit& unit, const FunctionOutline& function, std::string message) const {
-  const auto end = function.name_begin + static_cast<std::uint32_t>(function.name.size());
-  c_.diagnostics.report(id, unit.code->span(function.name_begin, end), std::move(message));
-}
-
-bool PlugResolver::check_signature(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug) {
-  const auto& given = function.parameters;
-  std::vector<PlugParameter> wanted = plug.parameters;
-  const bool sampler_left_out = plug.name == "texture_color" && given.size() + 1 == wanted.size();
-  if (sampler_left_out) std::erase_if(wanted, [](const PlugParameter& parameter) { return parameter.type == "samplerT"; });
-  bool fits = given.size() == wanted.size();
-  for (std::size_t i = 0; fits && i < given.size(); ++i) fits = parameter_fits(given[i], wanted[i], is_per_light_color(plug.name));
-  if (fits) return true;
-  report(DiagnosticId::effect_wrong_signature, unit, function,
-         fmt::format("`{}` does not fit its plug; declare `void PLUG_{}({})`", function.name, plug.name, plug.signature));
-  return false;
-}
-
-std::vector<MarkerPlace> PlugResolver::find_markers(std::size_t index, std::string_view plug, bool own_scope) const {
-  const PlacedUnit& unit = c_.units[index];
-  std::vector<MarkerPlace> found;
+void PlugResolver::index_markers() {
   for (std::size_t u = 0; u < c_.units.size(); ++u) {
-    const PlacedUnit& other = c_.units[u];
-    const bool of_effect = c_.owners[other.owner].kind == OwnerKind::effect;
-    if (u == index || other.dropped || other.stage != unit.stage || (of_effect && u > index)) continue;
-    const bool limited = unit.scope.kind != ScopeKind::shape;
-    if (limited && other.scope != (own_scope ? unit.scope : Scope())) continue;
-    const auto& markers = other.code->outline.markers;
+    const auto& markers = c_.units[u].code->outline.markers;
     for (std::size_t m = 0; m < markers.size(); ++m) {
-      if (markers[m].kind == MarkerKind::plug && markers[m].name == plug) found.push_back({u, m});
+      if (markers[m].kind == MarkerKind::plug && is_in_function(markers[m])) markers_[{c_.units[u].stage, markers[m].name}].push_back({u, m});
     }
+  }
+}
+
+void PlugResolver::report(DiagnosticId id, const PlacedUnit& unit, const FunctionOutline& function, std::string message,
+                          std::vector<RelatedPlace> related) const {
+  c_.diagnostics.report(id, name_span(*unit.code, function.name, function.name_begin), std::move(message), std::move(related));
+}
+
+std::vector<MarkerPlace> PlugResolver::find_markers(std::size_t index, std::size_t f, bool own_scope) const {
+  const PlacedUnit& unit = c_.units[index];
+  const auto indexed = markers_.find({unit.stage, plug_name(unit.code->outline.functions[f].name)});
+  std::vector<MarkerPlace> found;
+  if (indexed == markers_.end()) return found;
+  const bool limited = unit.scope.kind != ScopeKind::shape;
+  for (const MarkerPlace& place : indexed->second) {
+    const PlacedUnit& other = c_.units[place.unit];
+    const bool of_effect = c_.owners[other.owner].kind == OwnerKind::effect;
+    const bool in_itself = place.unit == index && marker_at(place).enclosing_function == f;
+    if (in_itself || other.dropped || (of_effect && place.unit >= index)) continue;
+    if (limited && other.scope != (own_scope ? unit.scope : Scope())) continue;
+    found.push_back(place);
   }
   return found;
 }
 
-std::vector<MarkerPlace> PlugResolver::reached_markers(std::size_t unit, std::string_view plug) const {
-  std::vector<MarkerPlace> found = find_markers(unit, plug, true);
+std::vector<MarkerPlace> PlugResolver::reached_markers(std::size_t unit, std::size_t function) const {
+  std::vector<MarkerPlace> found = find_markers(unit, function, true);
   const bool limited = c_.units[unit].scope.kind != ScopeKind::shape;
-  return found.empty() && limited ? find_markers(unit, plug, false) : found;
+  return found.empty() && limited ? find_markers(unit, function, false) : found;
 }
 
-/// Whether the call that the marker would make suits the function: as many arguments, and for textures the right sampler.
-bool PlugResolver::fits(std::size_t index, const FunctionOutline& function, const MarkerPlace& place) {
-  const MarkerOutline& marker = c_.units[place.unit].code->outline.markers[place.marker];
-  if (marker.name == "texture_color") {
-    const auto& parameters = function.parameters;
-    return parameters.size() == 3 && parameters[1].type == "sampler2D";
-  }
-  if (argument_count(marker.arguments) == function.parameters.size()) return true;
+/// Notes the call, unless the program's calls have grown beyond what a stage may hold.
+CallResult PlugResolver::add_call(std::size_t index, std::size_t f, const MarkerPlace& place) {
   const PlacedUnit& unit = c_.units[index];
-  const auto end = function.name_begin + static_cast<std::uint32_t>(function.name.size());
-  c_.diagnostics.report(DiagnosticId::effect_wrong_signature, unit.code->span(function.name_begin, end),
-                        fmt::format("`{}` takes {} arguments, but its plug passes {}", function.name, function.parameters.size(),
-                                    argument_count(marker.arguments)),
-                        {{c_.units[place.unit].code->span(marker.begin, marker.end), "the plug stands here"}});
-  return false;
-}
-
-std::string PlugResolver::unique_name(ShaderStage stage, const std::string& name, std::size_t owner) {
-  auto& taken = c_.taken_in(stage);
-  std::string candidate = name;
-  for (int i = 2; taken.contains(candidate); ++i) candidate = fmt::format("{}_{}", name, i);
-  taken.emplace(candidate, owner);
-  return candidate;
-}
-
-/// Parameter types only: `void PLUG_light_scale_2(inout float, vec3, vec3);`
-std::string prototype(const CodeUnit& code, const FunctionOutline& function, const std::string& name) {
-  const std::string_view parameters =
-      std::string_view(code.text.text()).substr(function.parameters_begin, function.parameters_end - function.parameters_begin);
-  std::string one_line;
-  for (const char c : parameters) {
-    const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
-    if (!blank) one_line += c;
-    else if (!one_line.empty() && one_line.back() != ' ') one_line += ' ';
-  }
-  return fmt::format("void {}({});\n", name, one_line);
-}
-
-void PlugResolver::add_call(std::size_t index, std::size_t f, const MarkerPlace& place) {
-  PlacedUnit& unit = c_.units[index];
-  PlacedUnit& target = c_.units[place.unit];
   const FunctionOutline& function = unit.code->outline.functions[f];
-  const MarkerOutline& marker = target.code->outline.markers[place.marker];
-  const Span origin = unit.code->span(function.name_begin, function.name_begin + static_cast<std::uint32_t>(function.name.size()));
-  const std::string& name = unit.function_names[f];
-  const bool as_vec3 = is_per_light_color(marker.name) && function.parameters.front().type == "vec3";
-  target.calls[place.marker].push_back({fmt::format("{}({}{});", name, marker.arguments, as_vec3 ? ".rgb" : ""), origin});
-  std::string text = prototype(*unit.code, function, name);
-  const auto known = std::any_of(target.forward.begin(), target.forward.end(),
-                                 [&](const ForwardDeclaration& declared) { return declared.text == text; });
-  if (!known) target.forward.push_back({std::move(text), origin});
+  const MarkerOutline& marker = marker_at(place);
+  call_bytes_ += unit.function_names[f].size() + marker.arguments.size() + 8;
+  if (call_bytes_ > kMaxStageBytes) {
+    report(DiagnosticId::shader_limit, unit, function,
+           fmt::format("the calls of all plugs of this shape are longer than {} bytes", kMaxStageBytes));
+    c_.mark_faulty(unit);
+    return CallResult::misfit;
+  }
+  const bool rgb_only = is_per_light_color(marker.name) && !function.parameters.empty() && function.parameters.front().type == "vec3";
+  c_.units[place.unit].calls[place.marker].push_back({index, f, rgb_only});
+  return CallResult::called;
+}
+
+void PlugResolver::report_misfit(const PlacedUnit& unit, const FunctionOutline& function, const MarkerPlace& place) {
+  const std::size_t passed = split_arguments(marker_at(place).arguments).size();
+  if (!c_.by_author(unit)) {
+    c_.diagnostics.report(DiagnosticId::effect_wrong_signature, marker_span(place),
+                          fmt::format("this plug passes {} arguments, but the renderer's `{}` takes {}", passed, function.name,
+                                      function.parameters.size()));
+    return;
+  }
+  const std::string message =
+      passed == function.parameters.size()
+          ? fmt::format("no parameter list of `{}` has the types that its plug passes", function.name)
+          : fmt::format("`{}` takes {} arguments, but its plug passes {}", function.name, function.parameters.size(), passed);
+  report(DiagnosticId::effect_wrong_signature, unit, function, message, {{marker_span(place), "the plug stands here"}});
+  c_.mark_faulty(unit);
+}
+
+CallResult PlugResolver::call_at(std::size_t index, std::size_t f, const MarkerPlace& place) {
+  const PlacedUnit& unit = c_.units[index];
+  const CodeUnit& code = *unit.code;
+  const FunctionOutline& function = code.outline.functions[f];
+  const CodeUnit& target = *c_.units[place.unit].code;
+  const MarkerOutline& marker = marker_at(place);
+  const bool overloaded = definitions_[function.name] > 1;
+  if (fits_marker(function, target, marker, overloaded)) return add_call(index, f, place);
+  const bool for_another = std::any_of(code.outline.functions.begin(), code.outline.functions.end(), [&](const FunctionOutline& other) {
+    return other.name == function.name && other.is_definition() && fits_marker(other, target, marker, overloaded);
+  });
+  if (for_another) return CallResult::for_overload;
+  if (marker.name == "texture_color") return CallResult::other_texture;
+  report_misfit(unit, function, place);
+  return CallResult::misfit;
+}
+
+void PlugResolver::report_unknown(const PlacedUnit& unit, const FunctionOutline& function) {
+  const std::string_view name = plug_name(function.name);
+  for (const PlacedUnit& other : c_.units) {
+    for (const MarkerOutline& marker : other.code->outline.markers) {
+      if (marker.kind != MarkerKind::plug || marker.name != name || !is_in_function(marker)) continue;
+      const bool later = other.stage == unit.stage;
+      return report(later ? DiagnosticId::effect_unknown_plug : DiagnosticId::effect_wrong_stage, unit, function,
+                    later ? fmt::format("plug `{}` is offered only behind this function; a plug of an effect serves what comes later", name)
+                          : fmt::format("plug `{}` is called in the {} stage, not in the {} stage", name, to_text(other.stage),
+                                        to_text(unit.stage)),
+                    {{other.code->span(marker.begin, marker.end), "the plug stands here"}});
+    }
+  }
+  std::vector<std::string_view> known(plug_names().begin(), plug_names().end());
+  for (const auto& [key, places] : markers_) known.push_back(key.second);
+  report(DiagnosticId::effect_unknown_plug, unit, function,
+         fmt::format("no plug `{}` in a {} stage{}", name, to_text(unit.stage), did_you_mean(name, known)));
+}
+
+void PlugResolver::report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug) {
+  const bool wrong_stage = (plug.stage == PlugStage::vertex && unit.stage != ShaderStage::vertex) ||
+                           (plug.stage == PlugStage::fragment && unit.stage != ShaderStage::fragment) ||
+                           (plug.stage == PlugStage::geometry && unit.stage != ShaderStage::geometry);
+  if (wrong_stage) {
+    report(DiagnosticId::effect_wrong_stage, unit, function,
+           fmt::format("plug `{}` is not called in a {} stage; put it into a part of type `{}`", plug.name, to_text(unit.stage),
+                       to_text(plug.stage)));
+  } else {
+    report(DiagnosticId::effect_plug_absent, unit, function,
+           fmt::format("plug `{}` is not called for every shape that uses this effect (it is called {})", plug.name, plug.when));
+  }
 }
 
 /// No marker was reached: tell a name that nobody offers from one that this shape merely has not.
-void PlugResolver::report_unreached(const PlacedUnit& unit, const FunctionOutline& function, std::string_view name) {
-  const PlugInfo* plug = find_plug(name);
-  if (plug == nullptr) {
-    std::vector<std::string_view> known(plug_names().begin(), plug_names().end());
-    for (const PlacedUnit& other : c_.units) {
-      for (const MarkerOutline& marker : other.code->outline.markers) known.push_back(marker.name);
-    }
-    report(DiagnosticId::effect_unknown_plug, unit, function,
-           fmt::format("no plug `{}` in a {} stage{}", name, to_text(unit.stage), did_you_mean(name, known)));
-    return;
+void PlugResolver::report_unreached(const PlacedUnit& unit, const FunctionOutline& function) {
+  const PlugInfo* plug = find_plug(plug_name(function.name));
+  plug == nullptr ? report_unknown(unit, function) : report_absent_or_wrong_stage(unit, function, *plug);
+}
+
+/// What can be said of an author's function without looking at each marker. A marker of the templates, or none, goes by the table.
+bool PlugResolver::is_sound(const PlacedUnit& unit, const FunctionOutline& function, const std::vector<MarkerPlace>& markers) {
+  if (function.return_type != "void") {
+    report(DiagnosticId::effect_plug_not_void, unit, function,
+           fmt::format("`{}` returns `{}`; a plug function returns `void`", function.name, function.return_type));
+    return false;
   }
-  const bool wrong_stage = (plug->stage == PlugStage::vertex && unit.stage != ShaderStage::vertex) ||
-                           (plug->stage == PlugStage::fragment && unit.stage != ShaderStage::fragment) ||
-                           (plug->stage == PlugStage::geometry && unit.stage != ShaderStage::geometry);
-  if (wrong_stage) {
-    report(DiagnosticId::effect_wrong_stage, unit, function,
-           fmt::format("plug `{}` is not called in a {} stage; put it into a part of type `{}`", name, to_text(unit.stage),
-                       to_text(plug->stage)));
-  } else {
-    report(DiagnosticId::effect_plug_absent, unit, function,
-           fmt::format("plug `{}` is not called for every shape that uses this effect (it is called {})", name, plug->when));
+  const PlugInfo* plug = find_plug(plug_name(function.name));
+  if (plug == nullptr) return true;
+  if (!plug->replaced_by.empty()) {
+    report(DiagnosticId::effect_deprecated_plug, unit, function,
+           fmt::format("plug `{}` is an old name; use `{}` (or `fragment_modify` for the final colour)", plug->name, plug->replaced_by));
   }
+  const bool by_table = markers.empty() || std::any_of(markers.begin(), markers.end(), [&](const MarkerPlace& place) {
+                          return !c_.by_author(c_.units[place.unit]);
+                        });
+  if (!by_table || fits_plug(function, *plug)) return true;
+  report(DiagnosticId::effect_wrong_signature, unit, function,
+         fmt::format("`{}` does not fit its plug; declare `void PLUG_{}({})`", function.name, plug->name, plug->signature));
+  return false;
+}
+
+void PlugResolver::give_name(PlacedUnit& unit, std::size_t f) {
+  const std::string written(unit.code->outline.functions[f].name);
+  const StageMask stage = in_stage(unit.stage);
+  constexpr std::size_t kNobody = SIZE_MAX;
+  std::string name = c_.taken.is_free(written, stage, kNobody) ? written : c_.taken.new_name(written, unit.owner, c_.units);
+  c_.taken.take(name, stage, unit.owner);
+  unit.function_names[f] = std::move(name);
 }
 
 void PlugResolver::resolve_function(std::size_t index, std::size_t f) {
@@ -189,53 +224,64 @@ void PlugResolver::resolve_function(std::size_t index, std::size_t f) {
   const FunctionOutline& function = unit.code->outline.functions[f];
   const std::string_view name = plug_name(function.name);
   if (name.empty() || !function.is_definition()) return;
-  const bool by_author = c_.owners[unit.owner].kind != OwnerKind::renderer;
-  unit.function_names[f] = unique_name(unit.stage, std::string(function.name), unit.owner);
-  if (function.return_type != "void") {
-    report(DiagnosticId::effect_plug_not_void, unit, function,
-           fmt::format("`{}` returns `{}`; a plug function returns `void`", function.name, function.return_type));
-    return c_.mark_faulty(unit);
+  if (call_bytes_ > kMaxStageBytes) return c_.mark_faulty(unit);
+  const std::vector<MarkerPlace> markers = reached_markers(index, f);
+  const bool by_author = c_.by_author(unit);
+  if (markers.empty() && !by_author) {
+    unit.dropped = true;
+    return;
   }
-  const PlugInfo* plug = find_plug(name);
-  if (by_author && plug != nullptr && !check_signature(unit, function, *plug)) return c_.mark_faulty(unit);
-  if (by_author && plug != nullptr && !plug->replaced_by.empty()) {
-    report(DiagnosticId::effect_deprecated_plug, unit, function,
-           fmt::format("plug `{}` is an old name; use `{}` (or `fragment_modify` for the final colour)", name, plug->replaced_by));
-  }
-  const std::vector<MarkerPlace> markers = reached_markers(index, name);
-  for (const MarkerPlace& place : markers) {
-    if (fits(index, function, place)) add_call(index, f, place);
-  }
-  if (by_author && !markers.empty()) filled_.emplace(name);
-  if (markers.empty() && by_author && !c_.recipe.depth_only) report_unreached(unit, function, name);
-  if (markers.empty() && !by_author) unit.dropped = true;
+  give_name(unit, f);
+  if (by_author && !is_sound(unit, function, markers)) return c_.mark_faulty(unit);
+  std::set<CallResult> results;
+  for (std::size_t m = 0; m < markers.size() && !results.contains(CallResult::misfit); ++m) results.insert(call_at(index, f, markers[m]));
+  if (!by_author || results.contains(CallResult::misfit)) return;
+  if (results.contains(CallResult::called)) filled_.emplace(name);
+  const bool of_use = results.contains(CallResult::called) || results.contains(CallResult::for_overload);
+  if (!of_use && !c_.recipe.depth_only) report_unreached(unit, function);
 }
 
 /// A light or texture whose own code found no place in the base shader takes its effects and its shadow with it.
 void PlugResolver::resolve_unit(std::size_t index) {
   PlacedUnit& unit = c_.units[index];
-  if (unit.scope.kind == ScopeKind::light || unit.scope.kind == ScopeKind::texture) {
-    for (std::size_t i = 0; i < index; ++i) {
-      if (c_.units[i].dropped && c_.units[i].scope == unit.scope) unit.dropped = true;
-    }
+  if (dropped_scopes_.contains(unit.scope) || (unit.of_shadow && dropped_shadows_.contains(unit.scope))) unit.dropped = true;
+  definitions_.clear();
+  for (const FunctionOutline& function : unit.code->outline.functions) {
+    if (function.is_definition()) ++definitions_[function.name];
   }
   for (std::size_t f = 0; f < unit.code->outline.functions.size() && !unit.dropped; ++f) resolve_function(index, f);
+  const bool limited = unit.scope.kind != ScopeKind::shape;
+  if (unit.dropped && limited) (unit.of_shadow ? dropped_shadows_ : dropped_scopes_).insert(unit.scope);
 }
 
 void PlugResolver::list_plugs() const {
   std::set<std::string, std::less<>> empty;
-  for (const PlacedUnit& unit : c_.units) {
-    for (const MarkerOutline& marker : unit.code->outline.markers) {
-      if (marker.kind == MarkerKind::plug && !unit.dropped && !filled_.contains(marker.name)) empty.emplace(marker.name);
-    }
+  for (const auto& [key, places] : markers_) {
+    const bool offered = std::any_of(places.begin(), places.end(), [&](const MarkerPlace& place) { return !c_.units[place.unit].dropped; });
+    if (offered && !filled_.contains(key.second)) empty.emplace(key.second);
   }
   c_.result.plugs_filled.assign(filled_.begin(), filled_.end());
   c_.result.plugs_empty.assign(empty.begin(), empty.end());
 }
 
+/// A ComposedShader shows a shadow where its plugs let the renderer's lights in (thesis 9.2); else its author is told.
+void PlugResolver::note_missing_shadows() const {
+  const auto& lights = c_.recipe.lights;
+  const bool wanted = std::any_of(lights.begin(), lights.end(), [](const LightRecipe& light) { return light.shadow; });
+  if (c_.recipe.shader < 0 || !wanted) return;
+  const bool shown = std::any_of(c_.units.begin(), c_.units.end(), [&](const PlacedUnit& unit) {
+    return !unit.dropped && unit.of_shadow && unit.stage == ShaderStage::fragment;
+  });
+  if (shown) return;
+  c_.diagnostics.report(DiagnosticId::composed_shader_no_shadows, c_.input.scene.shaders[static_cast<std::size_t>(c_.recipe.shader)].span,
+                        "this `ComposedShader` shows no shadow: it has no plug `add_light_contribution` that the shadowed light could fill");
+}
+
 void PlugResolver::resolve() {
+  index_markers();
   for (std::size_t unit = 0; unit < c_.units.size(); ++unit) resolve_unit(unit);
   list_plugs();
+  note_missing_shadows();
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
-// Cutting goes line by line with a stack of "is this branch taken"; numbering goes token by token.
+// Cutting goes from directive to directive with a stack of "is this branch taken"; numbering goes from one capital N to the next. Templates
+// are in GLSL 3.30 with castle_ names already (a test holds them to it), so they are not upgraded as authors' texts are:
+// that alone would take a third of all composing.
 
 #include "compose/templates.h"
 
+#include <algorithm>
 #include <cctype>
 #include <vector>
 
@@ -9,6 +12,7 @@
 
 #include "base/check.h"
 #include "glsl/edit.h"
+#include "glsl/scan.h"
 #include "stdlib_plugs/stdlib_plugs.h"
 
 namespace plugc {
@@ -31,23 +35,23 @@ struct Branches {
   }
 };
 
-/// True when the line is a feature directive, which is then obeyed.
-bool obey_directive(std::string_view line, const Features& features, Branches& branches) {
+bool is_feature_directive(std::string_view line) {
+  return line.starts_with("#if") || line.starts_with("#else") || line.starts_with("#endif");
+}
+
+void obey_directive(std::string_view line, const Features& features, Branches& branches) {
   if (line.starts_with("#ifdef")) {
     branches.taken.push_back(features.contains(directive_name(line, "#ifdef")));
   } else if (line.starts_with("#ifndef")) {
     branches.taken.push_back(!features.contains(directive_name(line, "#ifndef")));
-  } else if (line.starts_with("#else")) {
-    PLUGC_CHECK(!branches.taken.empty(), "#else has its #ifdef");
-    branches.taken.back() = !branches.taken.back();
-  } else if (line.starts_with("#endif")) {
-    PLUGC_CHECK(!branches.taken.empty(), "#endif has its #ifdef");
-    branches.taken.pop_back();
   } else {
-    return false;
+    PLUGC_CHECK(!branches.taken.empty(), "#else and #endif have their #ifdef");
+    if (line.starts_with("#endif")) branches.taken.pop_back();
+    else branches.taken.back() = !branches.taken.back();
   }
-  return true;
 }
+
+constexpr std::string_view kWordCharacters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789";
 
 /// Where the number goes in a name like `castle_LightSourceNColor`: a capital N behind `Source`, `Coord`, `Matrix` or `_`,
 /// at the end or before another capital; npos when there is none.
@@ -61,44 +65,64 @@ std::size_t number_place(std::string_view name) {
   return std::string_view::npos;
 }
 
+/// Adds the castle_ names among the tokens, each once.
+void note_castle_names(CodeUnit& unit, std::span<const Token> tokens) {
+  for (const Token& token : tokens) {
+    const std::string_view name = unit.at(token);
+    const bool is_castle = token.kind == TokenKind::identifier && name.starts_with("castle_");
+    if (is_castle && std::ranges::find(unit.castle_names, name) == unit.castle_names.end()) unit.castle_names.emplace_back(name);
+  }
+}
+
+std::shared_ptr<const CodeUnit> make_template_unit(MappedText text) {
+  auto unit = std::make_shared<CodeUnit>();
+  unit->text = std::move(text);
+  const std::string_view bytes = unit->text.text();
+  unit->tokens = tokenize(bytes, {});
+  unit->outline = outline(bytes, unit->tokens, Storage::none);
+  note_castle_names(*unit, unit->tokens.tokens);
+  for (const MarkerOutline& marker : unit->outline.markers) {
+    const auto begin = static_cast<std::uint32_t>(marker.arguments.empty() ? 0 : marker.arguments.data() - bytes.data());
+    note_castle_names(*unit, scan_range(bytes, begin, begin + static_cast<std::uint32_t>(marker.arguments.size())));
+  }
+  return unit;
+}
+
 }  // namespace
 
 MappedText cut_template(const SourceSet& sources, SourceId source, const Features& features) {
   const std::string_view text = sources.text(source);
   MappedText cut;
   Branches branches;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
-    const std::string_view line = text.substr(begin, end - begin);
-    if (!obey_directive(line, features, branches) && branches.all_taken()) {
-      cut.append(line, source, static_cast<std::uint32_t>(begin));
-    }
-    begin = end;
+  std::size_t kept = 0;  // what follows is kept where all branches are taken, and not yet appended
+  const auto append_up_to = [&](std::size_t end) {
+    if (branches.all_taken()) cut.append(text.substr(kept, end - kept), source, static_cast<std::uint32_t>(kept));
+  };
+  for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
+    const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+    const std::string_view line = text.substr(at, end - at);
+    if (!is_feature_directive(line) || (at > 0 && text[at - 1] != '\n')) continue;
+    append_up_to(at);
+    obey_directive(line, features, branches);
+    kept = end;
   }
   PLUGC_CHECK(branches.taken.empty(), "every #ifdef of a template is closed");
+  append_up_to(text.size());
   return cut;
 }
 
 MappedText number_names(const MappedText& text, int number) {
   std::vector<Edit> edits;
-  const TokenList list = tokenize(text.text(), {});
-  for (const Token& token : list.tokens) {
-    if (token.kind != TokenKind::identifier && token.kind != TokenKind::marker) continue;
-    std::string_view rest = token_text(text.text(), token);
-    std::uint32_t at = token.begin;
-    while (!rest.empty()) {  // a marker holds several names
-      const std::size_t begin = rest.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
-      if (begin == std::string_view::npos) break;
-      const std::size_t end = std::min(
-          rest.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789", begin), rest.size());
-      const std::size_t place = number_place(rest.substr(begin, end - begin));
-      if (place != std::string_view::npos) {
-        const auto from = static_cast<std::uint32_t>(at + begin + place);
-        edits.push_back({from, from + 1, std::to_string(number), {}});
-      }
-      at += static_cast<std::uint32_t>(end);
-      rest.remove_prefix(end);
+  const std::string_view bytes = text.text();
+  for (std::size_t at = bytes.find('N'); at != std::string_view::npos; at = bytes.find('N', at)) {
+    const std::size_t begin = bytes.find_last_not_of(kWordCharacters, at) + 1;
+    const std::size_t end = std::min(bytes.find_first_not_of(kWordCharacters, at), bytes.size());
+    const std::size_t place = number_place(bytes.substr(begin, end - begin));
+    if (place != std::string_view::npos) {
+      const auto from = static_cast<std::uint32_t>(begin + place);
+      edits.push_back({from, from + 1, std::to_string(number), {}});
     }
+    at = end;
   }
   return apply_edits(text, std::move(edits));
 }
@@ -116,7 +140,7 @@ std::shared_ptr<const CodeUnit> TemplateLibrary::get(std::string_view name, Shad
   if (added) {
     MappedText text = cut_template(*sources_, source(name), features);
     if (number >= 0) text = number_names(text, number);
-    found->second = make_code_unit(text, stage);
+    found->second = make_template_unit(std::move(text));
   }
   return found->second;
 }

@@ -3,17 +3,31 @@
 // that composed text holds no trace of what it does not need, and whose names with a capital N (`castle_texture_N`,
 // `castle_LightSourceNColor`, `light_source_N`) are numbered.
 
+#include <algorithm>
+#include <compare>
+#include <initializer_list>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compose/code_unit.h"
 
 namespace plugc {
 
-using Features = std::set<std::string_view>;
+/// Names of what a template is to hold. Few, and always noted in one order: a list is quicker than a set.
+class Features {
+ public:
+  Features() = default;
+  Features(std::initializer_list<std::string_view> names) : names_(names) {}
+  void insert(std::string_view name) { names_.push_back(name); }
+  bool contains(std::string_view name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
+  auto operator<=>(const Features&) const = default;
+
+ private:
+  std::vector<std::string_view> names_;
+};
 
 /// Lines kept by `#ifdef`/`#ifndef`/`#else`/`#endif` on feature names, which nest. Mapped to the template's own text.
 MappedText cut_template(const SourceSet& sources, SourceId source, const Features& features);

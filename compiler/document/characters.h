@@ -1,10 +1,11 @@
 #pragma once
-// The characters of the classic encoding and of attribute values, and the one way to read a number.
+// The characters of the classic encoding and of attribute values, and the one way to read a number or to write a character.
 // Source: ISO/IEC 19776-2, A.2 and 14772-1, A.3 (names); `:` stays a name character, as in `COMPONENT Shaders:1`.
 
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -52,6 +53,21 @@ inline std::from_chars_result scan_number(const char* at, const char* end, doubl
     return result;
   }
   return std::from_chars(*at == '+' ? first : at, end, value);
+}
+
+/// Appends the character of that code point (RFC 3629).
+inline void append_utf8(std::string& text, std::uint32_t code) {
+  const auto byte = [&](std::uint32_t bits) { text += static_cast<char>(bits); };
+  const auto rest = [&](int shift) { byte(0x80 | ((code >> shift) & 0x3F)); };
+  if (code < 0x80) {
+    byte(code);
+  } else if (code < 0x800) {
+    byte(0xC0 | (code >> 6)), rest(0);
+  } else if (code < 0x10000) {
+    byte(0xE0 | (code >> 12)), rest(6), rest(0);
+  } else {
+    byte(0xF0 | (code >> 18)), rest(12), rest(6), rest(0);
+  }
 }
 
 }  // namespace plugc

@@ -1,7 +1,8 @@
 #pragma once
 // What was written, whatever the encoding: nodes, fields and statements with their places, no meaning yet. Every encoding
-// fills the same plain structs. No node table is needed: a value is kept as the kind of thing that it looks like, and XML
-// attributes, which look like nothing, as text that the scene room reads by the field's type (read_lexical.h).
+// fills the same plain structs. No node table is needed: a value is kept as the kind of thing that it looks like, and what
+// looks like nothing (XML attributes, plain strings of JSON) as text that the scene room reads by the field's type
+// (read_lexical.h).
 //
 // Lists live in pools of the Document and are named by ranges, so a million nodes cost a few allocations.
 // Spans of decoded text come from MappedText: `\"` in a classic string or `&lt;` in an attribute do not shift places.
@@ -43,7 +44,7 @@ enum class ValueKind : std::uint8_t {
   strings,   ///< `"a" "b"`: in `strings`.
   nodes,     ///< Node statements, also `NULL` (an empty range): in `nodes`.
   empty,     ///< `[ ]`: an empty list of whatever the field holds.
-  lexical,   ///< The one string in `strings` holds the value's text (an XML attribute).
+  lexical,   ///< The one string in `strings` holds the value's text (an XML attribute, a JSON string).
   is,        ///< `IS name`: the name is the one string in `strings`.
 };
 
@@ -96,12 +97,12 @@ struct NodeSyntax {
   Name type;                  ///< Empty for USE.
   Name def;                   ///< DEF name, or empty.
   Name use;                   ///< USE name, or empty.
-  Name container_field;       ///< XML only.
+  Name container_field;       ///< XML, and JSON where it differs from the key.
   Span span;                  ///< From DEF (or the type) to the closing bracket.
   Range<FieldSyntax> fields;  ///< In the order of the text; a name may stand twice.
   Range<InterfaceSyntax> interface;
   Range<StatementSyntax> statements;  ///< ROUTE and PROTO inside the body.
-  Range<MappedText> cdata;            ///< XML: the CDATA sections and non-blank text directly inside, in order.
+  Range<MappedText> cdata;            ///< Code directly inside, in order: CDATA and text of XML, `#sourceCode` of JSON.
 };
 
 struct ProtoSyntax {

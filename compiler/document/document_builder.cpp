@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -72,6 +73,27 @@ void DocumentBuilder::add_cdata(MappedText text, const Span& place) {
   if (admit(place)) cdata.add(std::move(text));
 }
 
+void DocumentBuilder::add_connections(const OpenBody& body, std::span<const Connection> connections) {
+  if (connections.empty()) return;
+  std::unordered_map<std::string_view, InterfaceSyntax*> declared;
+  std::for_each(interfaces.begin(body.interface), interfaces.end(),
+                [&](InterfaceSyntax& field) { declared.emplace(field.name.text, &field); });
+  for (const auto& [node_field, proto_field] : connections) {
+    MappedText name;
+    name.append_generated(proto_field.text, proto_field.span);
+    ValueSyntax value;
+    value.kind = ValueKind::is;
+    value.span = proto_field.span;
+    value.strings = add_string(std::move(name), proto_field.span);
+    if (value.strings.empty()) return;  // not admitted
+    if (const auto found = declared.find(node_field.text); found != declared.end()) {
+      found->second->value = value;
+    } else {
+      add_field({node_field, value}, node_field.span);
+    }
+  }
+}
+
 void DocumentBuilder::add_statement(NodeSyntax node) {
   if (!admit(node.span)) return;
   statements.add({StatementKind::node, static_cast<std::uint32_t>(document.nodes.size())});
@@ -126,6 +148,21 @@ void DocumentBuilder::drop_since(const PoolSizes& sizes) {
   document.imports.resize(sizes.imports);
   document.numbers.resize(sizes.numbers);
   document.strings.resize(sizes.strings);
+}
+
+AccessType access_type(DocumentBuilder& builder, const Name& word) {
+  static constexpr std::array<std::pair<std::string_view, AccessType>, 4> kWords = {
+      {{"initializeOnly", AccessType::initialize_only},
+       {"inputOnly", AccessType::input_only},
+       {"outputOnly", AccessType::output_only},
+       {"inputOutput", AccessType::input_output}}};
+  for (const auto& [known, access] : kWords) {
+    if (known == word.text) return access;
+  }
+  builder.mistake(word.span, fmt::format("there is no access type `{}`; write `inputOnly`, `outputOnly`, `initializeOnly` "
+                                         "or `inputOutput`",
+                                         shown(word.text)));
+  return AccessType::initialize_only;
 }
 
 std::string_view shown(std::string_view name) {

@@ -3,6 +3,7 @@
 // their kind until the list closes. The builder also counts mistakes and items: beyond a limit reading stops.
 
 #include <iterator>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -39,6 +40,11 @@ struct OpenBody {
   std::size_t fields = 0, interface = 0, statements = 0, cdata = 0;
 };
 
+/// `<connect nodeField="a" protoField="b"/>`, as `a IS b`.
+struct Connection {
+  Name node_field, proto_field;
+};
+
 /// How much the pools of a Document hold.
 struct PoolSizes {
   std::size_t nodes, fields, interfaces, statements, routes, protos, imports, numbers, strings;
@@ -60,6 +66,9 @@ class DocumentBuilder {
   void add_interface(InterfaceSyntax field);
   void add_list_node(NodeSyntax node);
   void add_cdata(MappedText text, const Span& place);
+  /// The connections of a node, behind its other fields: an interface field of the node itself takes one as its value, as in
+  /// the classic `field SFFloat a IS b`.
+  void add_connections(const OpenBody& body, std::span<const Connection> connections);
   void add_statement(NodeSyntax node);
   void add_statement(RouteSyntax route);
   void add_statement(StatementKind kind, ProtoSyntax proto);
@@ -89,6 +98,9 @@ class DocumentBuilder {
   std::size_t mistakes_ = 0;
   bool stopped_ = false;
 };
+
+/// `inputOutput` and its kind, as XML and JSON name them. What is none of them is reported and read as initializeOnly.
+AccessType access_type(DocumentBuilder& builder, const Name& word);
 
 /// As much of a name from the input as a message should repeat; cut between characters.
 std::string_view shown(std::string_view name);

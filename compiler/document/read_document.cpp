@@ -1,4 +1,4 @@
-// The first characters tell the encoding, as its standard demands of them: `#X3D`, `#VRML V2.0`, or a tag.
+// The first characters tell the encoding, as its standard demands of them: `#X3D`, `#VRML V2.0`, a tag, or a brace.
 // What plugc does not read is named where that is known, so that the author learns what to convert.
 
 #include "document/read_document.h"
@@ -12,9 +12,8 @@ std::string_view unreadable_because(std::string_view text) {
   if (text.starts_with("#VRML V1")) return "this is VRML 1.0; plugc reads X3D and VRML 2.0";
   if (text.starts_with("\x1F\x8B")) return "this file is compressed; unpack it with `gunzip` first";
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "this text is in UTF-16; save it as UTF-8";
-  if (text.starts_with("{")) return "plugc does not read X3D in JSON; convert it to the classic or the XML encoding";
   if (text.empty()) return "this file is empty";
-  return "a scene begins with `#X3D V3.3 utf8`, `#VRML V2.0 utf8` or an XML tag; this text does not";
+  return "a scene begins with `#X3D V3.3 utf8`, `#VRML V2.0 utf8`, an XML tag or `{`; this text does not";
 }
 
 }  // namespace
@@ -27,6 +26,7 @@ Document read_document(SourceId source, const SourceSet& sources, Diagnostics& d
   }
   const std::string_view content = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (content.starts_with('<')) return read_xml(source, sources, diagnostics);
+  if (content.starts_with('{')) return read_json(source, sources, diagnostics);
 
   const auto begin = static_cast<std::uint32_t>(sources.text(source).size() - content.size());
   const auto line = static_cast<std::uint32_t>(std::min(content.find_first_of("\r\n"), content.size()));

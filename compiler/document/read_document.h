@@ -8,7 +8,7 @@ namespace plugc {
 
 /// Tells the encoding by content (`#X3D`, `#VRML V2.0`, `<`, `{`), whatever the name says, and reads it.
 /// A text in no known encoding (VRML 1.0 too) gets one diagnostic and an empty Document.
-/// Source: ISO/IEC 19776-1 (XML), 19776-2 (classic), 14772-1 (VRML 2.0).
+/// Source: ISO/IEC 19776-1 (XML), 19776-2 (classic), 19776-5 (JSON), 14772-1 (VRML 2.0).
 Document read_document(SourceId source, const SourceSet& sources, Diagnostics& diagnostics);
 
 /// Classic X3D (`#X3D V3.2 utf8`) and VRML 2.0; they differ in the words for access types only.
@@ -16,6 +16,9 @@ Document read_classic(SourceId source, const SourceSet& sources, Diagnostics& di
 
 /// XML X3D. Entities of the XML standard only; no DTD is read.
 Document read_xml(SourceId source, const SourceSet& sources, Diagnostics& diagnostics);
+
+/// JSON X3D. Comments and other liberties that RFC 8259 does not grant are reported and understood.
+Document read_json(SourceId source, const SourceSet& sources, Diagnostics& diagnostics);
 
 /// `plugc inspect --dump document`: one line a node, field and statement, with places.
 std::string dump_document(const Document& document, const SourceSet& sources);

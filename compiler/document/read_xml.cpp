@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
-#include <unordered_map>
+#include <vector>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -103,9 +103,7 @@ class XmlReader {
   void read_field_value(const pugi::xml_node& element);
   void read_interface(const pugi::xml_node& element);
   void read_value_children(const pugi::xml_node& element, ValueSyntax& value);
-  using FieldsByName = std::unordered_map<std::string_view, InterfaceSyntax*>;
   void read_connections(const pugi::xml_node& element, const OpenBody& body);
-  void read_connection(const pugi::xml_node& connect, const FieldsByName& declared);
   void reject_text(const pugi::xml_node& text);
 
   DocumentBuilder build_;
@@ -451,17 +449,7 @@ void XmlReader::read_interface(const pugi::xml_node& element) {
   field.type = required_name(element, "type");
   field.name = required_name(element, "name");
   field.span = element_span(element);
-  if (access.text == "inputOnly") {
-    field.access = AccessType::input_only;
-  } else if (access.text == "outputOnly") {
-    field.access = AccessType::output_only;
-  } else if (access.text == "inputOutput") {
-    field.access = AccessType::input_output;
-  } else if (access.text != "initializeOnly" && !access.empty()) {
-    build_.mistake(access.span, fmt::format("there is no access type `{}`; write `inputOnly`, `outputOnly`, `initializeOnly` "
-                                            "or `inputOutput`",
-                                            shown(access.text)));
-  }
+  if (!access.empty()) field.access = access_type(build_, access);
   if (const auto value = element.attribute("value")) field.value = lexical_value(value);
   read_value_children(element, field.value);
   if (!field.type.empty() && !field.name.empty()) build_.add_interface(field);
@@ -488,39 +476,20 @@ void XmlReader::read_value_children(const pugi::xml_node& element, ValueSyntax& 
   value.nodes = nodes;
 }
 
-/// The `<IS>` of a node, read behind its fields: an interface field of the node itself takes the connection as its value, as
-/// in the classic `field SFFloat a IS b`.
+/// The `<IS>` of a node, read behind its fields.
 void XmlReader::read_connections(const pugi::xml_node& element, const OpenBody& body) {
-  FieldsByName declared;
-  InterfaceSyntax* const first = build_.interfaces.begin(body.interface);
-  std::for_each(first, build_.interfaces.end(), [&](InterfaceSyntax& field) { declared.emplace(field.name.text, &field); });
+  std::vector<Connection> connections;
   for (const auto& is : element.children("IS")) {
     for (const auto& child : is.children()) {
-      if (std::string_view(child.name()) == "connect") {
-        read_connection(child, declared);
-      } else {
+      if (std::string_view(child.name()) != "connect") {
         build_.mistake(is_text(child) ? text_span(child) : tag_span(child), "expected `<connect>` inside `<IS>`");
+        continue;
       }
+      const Connection connect{required_name(child, "nodeField"), required_name(child, "protoField")};
+      if (!connect.node_field.empty() && !connect.proto_field.empty()) connections.push_back(connect);
     }
   }
-}
-
-void XmlReader::read_connection(const pugi::xml_node& connect, const FieldsByName& declared) {
-  const Name node_field = required_name(connect, "nodeField");
-  const Name proto_field = required_name(connect, "protoField");
-  if (node_field.empty() || proto_field.empty()) return;
-  ValueSyntax value;
-  value.kind = ValueKind::is;
-  value.span = proto_field.span;
-  MappedText name;
-  name.append_generated(proto_field.text, proto_field.span);
-  value.strings = build_.add_string(std::move(name), proto_field.span);
-  if (value.strings.empty()) return;  // not admitted
-  if (const auto found = declared.find(node_field.text); found != declared.end()) {
-    found->second->value = value;
-  } else {
-    build_.add_field({node_field, value}, node_field.span);
-  }
+  build_.add_connections(body, connections);
 }
 
 void XmlReader::reject_text(const pugi::xml_node& text) {

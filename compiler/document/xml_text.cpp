@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "document/characters.h"
+
 namespace plugc {
 namespace {
 
@@ -46,20 +48,6 @@ std::size_t behind_declaration(std::string_view text, std::size_t at) {
 
 std::string_view tag_name(std::string_view text, std::size_t at) {
   return text.substr(at, std::min(text.find_first_of(" \t\r\n/>", at), text.size()) - at);
-}
-
-void append_utf8(std::string& text, std::uint32_t code) {
-  const auto byte = [&](std::uint32_t bits) { text += static_cast<char>(bits); };
-  const auto rest = [&](int shift) { byte(0x80 | ((code >> shift) & 0x3F)); };
-  if (code < 0x80) {
-    byte(code);
-  } else if (code < 0x800) {
-    byte(0xC0 | (code >> 6)), rest(0);
-  } else if (code < 0x10000) {
-    byte(0xE0 | (code >> 12)), rest(6), rest(0);
-  } else {
-    byte(0xF0 | (code >> 18)), rest(12), rest(6), rest(0);
-  }
 }
 
 /// `#65` or `#x41` (XML 1.0, 4.1); nullopt when that is no character.

@@ -1,5 +1,5 @@
-// One filter (SUB) and the fastest level of zlib: a third of the time that libpng's choice among five filters takes, for files
-// a little larger. libpng strips the fourth byte of a pixel itself where no alpha is wanted.
+// One filter (SUB) and, of zlib, only runs (Z_RLE): what is drawn is smooth along a row, so that its differences run, and
+// searching for longer matches takes a third more time for files that are no smaller. libpng strips the fourth byte of a pixel itself where no alpha is wanted.
 
 #include "image/write_png.h"
 
@@ -8,6 +8,7 @@
 #include <memory>
 
 #include <png.h>
+#include <zlib.h>
 
 namespace plugc {
 
@@ -29,6 +30,7 @@ bool write_image(png_structp png, png_infop info, std::FILE* file, std::uint32_t
   png_init_io(png, file);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_set_compression_level(png, kCompressionLevel);
+  png_set_compression_strategy(png, Z_RLE);
   png_set_IHDR(png, info, width, height, 8, alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(png, info);

@@ -71,6 +71,22 @@ SceneEffect read_shader_node(SceneContext& context, NodeId node) {
   return effect;
 }
 
+/// The libraries that plugc brings along; each is a template (compose/place_units.cpp).
+constexpr std::array<std::string_view, 1> kLibraries = {"castle-shader:/EyeWorldSpace.glsl"};
+
+std::vector<std::string> read_libraries(SceneContext& context, NodeId effect) {
+  std::vector<std::string> libraries;
+  for (const MappedText& url : context.graph.field(effect, "shaderLibraries").strings) {
+    if (std::find(kLibraries.begin(), kLibraries.end(), url.text()) != kLibraries.end()) {
+      libraries.push_back(url.text());
+      continue;
+    }
+    context.diagnostics.report(DiagnosticId::effect_unknown_library, url.locate(0, url.size()),
+                               fmt::format("there is no library `{}`; plugc has `{}`", url.text(), fmt::join(kLibraries, "`, `")));
+  }
+  return libraries;
+}
+
 Wrap read_wrap(const NodeGraph& graph, NodeId texture, std::string_view field) {
   return graph.boolean(texture, field) ? Wrap::repeat : Wrap::clamp_to_edge;
 }
@@ -186,7 +202,7 @@ int effect_index(SceneContext& context, NodeId node) {
   if (!is_glsl(context, node, "an effect")) return -1;
   SceneEffect effect = read_shader_node(context, node);
   effect.warn_missing_uniforms = context.graph.string(node, "uniformMissing") != "IGNORE";
-  for (const MappedText& library : context.graph.field(node, "shaderLibraries").strings) effect.libraries.push_back(library.text());
+  effect.libraries = read_libraries(context, node);
   context.scene.effects.push_back(std::move(effect));
   return index = static_cast<int>(context.scene.effects.size() - 1);
 }

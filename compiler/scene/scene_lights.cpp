@@ -59,6 +59,11 @@ ShadowUpdate read_update(SceneContext& context, NodeId map) {
   return ShadowUpdate::none;
 }
 
+void report_never_drawn(SceneContext& context, NodeId map) {
+  context.diagnostics.report(DiagnosticId::shadow_map_update_none, context.graph.field_span(map, "update"),
+                             "a shadow map with `update \"NONE\"` is never drawn, so this light casts no shadow; write `update \"ALWAYS\"`");
+}
+
 /// The map of a light that some shape receives; -1 when it has none that can be drawn.
 int make_shadow_map(SceneContext& context, int light_index) {
   const SceneLight& light = context.scene.lights[static_cast<std::size_t>(light_index)];
@@ -75,8 +80,7 @@ int make_shadow_map(SceneContext& context, int light_index) {
   if (written.valid()) {
     map.update = read_update(context, written);
     if (map.update == ShadowUpdate::none) {
-      context.diagnostics.report(DiagnosticId::shadow_map_update_none, graph.field_span(written, "update"),
-                                 "a shadow map with `update \"NONE\"` is never drawn, so this light casts no shadow; write `update \"ALWAYS\"`");
+      if (graph.string(written, "update") == "NONE") report_never_drawn(context, written);
       return -1;
     }
     const int size = graph.integer(written, "size");

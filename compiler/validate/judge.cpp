@@ -18,6 +18,7 @@
 #include <deque>
 #include <memory>
 
+#include "validate/expression_depth.h"
 #include "validate/glslang_log.h"
 #include "validate/reflect.h"
 #include "validate/version_directive.h"
@@ -112,6 +113,10 @@ std::vector<VerdictMessage> link(const Candidate& candidate, Linked& linked) {
   const bool good =
       linked.program.link(message_flags(candidate.target)) && (candidate.target != Target::spirv || linked.program.mapIO());
   if (!good) return errors_of(linked.program.getInfoLog(), candidate.stages.back().stage);
+  for (std::size_t i = 0; i < linked.stages.size(); ++i) {
+    if (tree_depth(*linked.tree(i)) <= kMaxTreeDepth) continue;
+    messages.push_back({linked.stages[i].stage, 0, {}, fmt::format("an expression nests more than {} deep, which crashes drivers", kMaxTreeDepth)});
+  }
   for (std::size_t i = 1; i < linked.stages.size(); ++i) {
     std::ranges::move(
         find_unwritten_inputs(*linked.tree(i - 1), *linked.tree(i), linked.stages[i].stage, linked.stages[i - 1].stage),

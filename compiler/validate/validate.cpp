@@ -1,3 +1,4 @@
+// The worker starts early where the cache is empty, as it will be asked for certain; else at the first miss.
 // Each program is encoded, which makes equal programs equal strings; each different string is judged once: by the cache, or
 // else by the worker, whose valid verdicts go to the cache. Then every program gets its result: its own texts with the
 // verdict's facts, or the verdict's messages placed in its own texts, as equal texts may come from different authors.
@@ -53,7 +54,9 @@ Judgement death(const ProgramText& program, std::string text) {
 
 struct Validator::State {
   explicit State(ValidatorOptions given)
-      : options(std::move(given)), cache(options.cache_folder), worker(options.warm_targets) {}
+      : options(std::move(given)), cache(options.cache_folder), worker(options.warm_targets) {
+    if (cache.empty()) worker.start();
+  }
 
   Judgement ask_worker(const ProgramText& program, const std::string& candidate);
   Judgement judge(const ProgramText& program, const std::string& candidate);

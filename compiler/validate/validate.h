@@ -72,7 +72,7 @@ struct ValidationResult {
 struct ValidatorOptions {
   std::filesystem::path cache_folder;                 ///< Verdicts by content hash; empty: no cache.
   std::chrono::milliseconds timeout{5000};            ///< For one program.
-  std::vector<Target> warm_targets{Target::glsl330};  ///< What the worker prepares for unasked (25 ms each).
+  std::vector<Target> warm_targets{Target::glsl330};  ///< What the worker prepares for when it starts (25 ms each).
 };
 
 /// Owns the worker. Make it before any thread is started: it forks. Threads may start afterwards, even if a worker has to

@@ -1,12 +1,15 @@
-// The common case is one batch: compose everything, validate everything. A recipe that fails is then taken by itself:
-// the effects that glslang's messages point at are tried first, each by leaving it out; if that does not help, the list of
-// effects is shrunk one by one to a minimal failing set (every member needed), of which the latest in order is left out. This
-// repeats until the rest is valid. A ComposedShader that fails with no effects at all gives way to the base shader.
+// The common case is one batch: compose everything, validate everything. A recipe that fails is then taken by itself. An
+// effect that glslang's messages point at is tried alone first; if that does not fail, a minimal failing set is found by
+// bisection: the shortest list of effects (in call order, beside those already found) that fails ends with a member, and the
+// search goes on in front of it. The latest member is left out, and all repeats until the rest is valid. What trials find
+// is not reported: an effect may miss another one there that it does not miss in the end. A ComposedShader that fails with
+// no effects at all gives way to the base shader.
 
 #include "validate/validate_recipes.h"
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -14,6 +17,11 @@ namespace plugc {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Effects that glslang's messages name are tried alone, so many of them.
+constexpr std::size_t kTriedAlone = 4;
+/// Checks that no search may spend: those, one without effects, and what leaving out and the base shader cost in the end.
+constexpr std::size_t kLastResorts = kTriedAlone + 4;
 
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -34,15 +42,18 @@ class RecipeValidator {
     ValidationResult result;
   };
 
-  void compose_candidate(Candidate& candidate);
+  void compose_candidate(Candidate& candidate, Diagnostics& diagnostics);
   void validate_candidates(std::vector<Candidate>& candidates);
-  bool is_valid(const Recipe& recipe, Target target);
-  bool spend_recheck();
+  Candidate check(const Recipe& recipe, Target target, Diagnostics& diagnostics);
+  bool fails(const Candidate& candidate, const std::set<int>& effects);
   void repair(Candidate& candidate);
+  void leave_out(Candidate& candidate, const std::vector<int>& failing);
+  void leave_out_all(Candidate& candidate);
   bool replace_shader(Candidate& candidate);
   std::vector<int> failing_set(const Candidate& candidate);
+  std::vector<int> bisect(const Candidate& candidate);
   std::vector<int> suspects(const Candidate& candidate) const;
-  void report_messages(const Candidate& candidate) const;
+  void report_messages(const Candidate& candidate, const Span& culprit) const;
   void report_left_out(const std::vector<int>& failing, int left_out) const;
   const SceneEffect& effect(int index) const { return input_.scene.effects[static_cast<std::size_t>(index)]; }
 
@@ -54,18 +65,18 @@ class RecipeValidator {
 };
 
 /// Composes; effects that composing itself finds at fault (their mistakes are reported by then) are left out at once.
-void RecipeValidator::compose_candidate(Candidate& candidate) {
+void RecipeValidator::compose_candidate(Candidate& candidate, Diagnostics& diagnostics) {
   const auto start = Clock::now();
   while (true) {
-    candidate.composed = compose(candidate.recipe, input_, candidate.target, diagnostics_);
+    candidate.composed = compose(candidate.recipe, input_, candidate.target, diagnostics);
     ++statistics_.compositions;
-    if (candidate.composed.faulty_shader && candidate.recipe.shader >= 0) {
-      candidate.recipe.shader = -1;
-    } else if (!candidate.composed.faulty_effects.empty()) {
-      for (const int faulty : candidate.composed.faulty_effects) candidate.recipe = without_effect(candidate.recipe, faulty);
-    } else {
-      break;
-    }
+    const bool shader_fails = candidate.composed.faulty_shader && candidate.recipe.shader >= 0;
+    const auto& faulty = candidate.composed.faulty_effects;
+    if (!shader_fails && faulty.empty()) break;
+    if (shader_fails) candidate.recipe.shader = -1;
+    std::vector<int> kept = all_effects(candidate.recipe);
+    std::erase_if(kept, [&](int effect) { return std::find(faulty.begin(), faulty.end(), effect) != faulty.end(); });
+    candidate.recipe = with_effects(std::move(candidate.recipe), {kept.begin(), kept.end()});
   }
   statistics_.compose_milliseconds += milliseconds_since(start);
 }
@@ -87,25 +98,29 @@ void RecipeValidator::validate_candidates(std::vector<Candidate>& candidates) {
   statistics_.validate_milliseconds += milliseconds_since(start);
 }
 
-bool RecipeValidator::spend_recheck() {
-  if (rechecks_left_ == 0) return false;
-  --rechecks_left_;
-  ++statistics_.rechecks;
-  return true;
-}
-
-bool RecipeValidator::is_valid(const Recipe& recipe, Target target) {
+RecipeValidator::Candidate RecipeValidator::check(const Recipe& recipe, Target target, Diagnostics& diagnostics) {
   std::vector<Candidate> one(1);
   one[0].recipe = recipe;
   one[0].target = target;
-  compose_candidate(one[0]);
+  compose_candidate(one[0], diagnostics);
   validate_candidates(one);
-  return one[0].result.program.has_value();
+  ++statistics_.rechecks;
+  if (rechecks_left_ > 0) --rechecks_left_;
+  return std::move(one[0]);
 }
 
+/// Whether the candidate fails with these of its effects alone.
+bool RecipeValidator::fails(const Candidate& candidate, const std::set<int>& effects) {
+  Diagnostics unheard(diagnostics_.sources());
+  return !check(with_effects(candidate.recipe, effects), candidate.target, unheard).result.program.has_value();
+}
+
+/// Whether the place lies in the text of one of the effect's parts, wherever that was read from.
 bool lies_in(const Span& span, const SceneEffect& effect) {
   return std::any_of(effect.parts.begin(), effect.parts.end(), [&](const ShaderSource& part) {
-    return span.source == part.span.source && part.span.begin <= span.begin && span.begin <= part.span.end;
+    const Span all = part.text.locate(0, part.text.size());
+    const Span last = part.text.empty() ? Span{} : part.text.locate(part.text.size() - 1, part.text.size());
+    return all.valid() && span.source == all.source && all.begin <= span.begin && span.begin <= std::max(all.end, last.end);
   });
 }
 
@@ -122,35 +137,54 @@ std::vector<int> RecipeValidator::suspects(const Candidate& candidate) const {
   return found;
 }
 
-/// A set of effects that fail together and of which none can be spared; empty when the program fails without any effect.
+/// A set of effects that fail together and of which none can be spared, latest first; empty when the program fails
+/// without any effect.
 std::vector<int> RecipeValidator::failing_set(const Candidate& candidate) {
-  for (const int suspect : suspects(candidate)) {
-    Recipe alone = candidate.recipe;
-    for (const int other : all_effects(candidate.recipe)) {
-      if (other != suspect) alone = without_effect(alone, other);
-    }
-    if (spend_recheck() && !is_valid(alone, candidate.target)) {
-      Recipe none = without_effect(alone, suspect);
-      if (spend_recheck() && is_valid(none, candidate.target)) return {suspect};
-      return {};
-    }
+  const std::vector<int> all = all_effects(candidate.recipe);
+  if (all.empty() || fails(candidate, {})) return {};
+  if (all.size() == 1) return all;
+  const std::vector<int> named = suspects(candidate);
+  for (std::size_t i = 0; i < std::min(named.size(), kTriedAlone); ++i) {
+    if (fails(candidate, {named[i]})) return {named[i]};
   }
-  Recipe failing = candidate.recipe;
-  for (const int index : all_effects(candidate.recipe)) {
-    const Recipe smaller = without_effect(failing, index);
-    if (spend_recheck() && !is_valid(smaller, candidate.target)) failing = smaller;
-  }
-  return all_effects(failing);
+  return bisect(candidate);
 }
 
-void RecipeValidator::report_messages(const Candidate& candidate) const {
+std::vector<int> RecipeValidator::bisect(const Candidate& candidate) {
+  std::vector<int> list = all_effects(candidate.recipe);
+  std::vector<int> found;
+  const auto first_and_found = [&](std::size_t count) {
+    std::set<int> effects(found.begin(), found.end());
+    effects.insert(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
+    return effects;
+  };
+  while (!list.empty() && rechecks_left_ > kLastResorts && (found.empty() || !fails(candidate, first_and_found(0)))) {
+    std::size_t passes = 0, failing = list.size();
+    while (failing - passes > 1 && rechecks_left_ > kLastResorts) {
+      const std::size_t middle = passes + (failing - passes) / 2;
+      (fails(candidate, first_and_found(middle)) ? failing : passes) = middle;
+    }
+    found.push_back(list[failing - 1]);
+    list.resize(failing - 1);
+  }
+  return found.empty() ? list : found;
+}
+
+/// Where glslang gives no place at all, the culprit's is shown; beside messages with a place those add nothing.
+void RecipeValidator::report_messages(const Candidate& candidate, const Span& culprit) const {
   if (candidate.result.died) {
-    diagnostics_.report(DiagnosticId::validation_died, {},
+    diagnostics_.report(DiagnosticId::validation_died, culprit,
                         fmt::format("validating the program `{}` crashed or took too long", to_text(candidate.recipe, input_.scene)));
   }
-  for (const ShaderMessage& message : candidate.result.messages) {
-    const std::string where = message.span.valid() ? "" : fmt::format(" (in the composed {} stage)", to_text(message.stage));
-    diagnostics_.report(DiagnosticId::shader_invalid, message.span, message.text + where);
+  const auto& messages = candidate.result.messages;
+  const bool any_place = std::any_of(messages.begin(), messages.end(), [](const ShaderMessage& message) { return message.span.valid(); });
+  for (const ShaderMessage& message : messages) {
+    if (message.span.valid()) {
+      diagnostics_.report(DiagnosticId::shader_invalid, message.span, message.text);
+    } else if (!any_place) {
+      diagnostics_.report(DiagnosticId::shader_invalid, culprit,
+                          fmt::format("{} (in the composed {} stage)", message.text, to_text(message.stage)));
+    }
   }
 }
 
@@ -181,24 +215,37 @@ bool RecipeValidator::replace_shader(Candidate& candidate) {
   return true;
 }
 
+void RecipeValidator::leave_out(Candidate& candidate, const std::vector<int>& failing) {
+  const int left_out = failing.front();
+  report_messages(candidate, effect(left_out).span);
+  report_left_out({failing.rbegin(), failing.rend()}, left_out);
+  candidate = check(without_effect(candidate.recipe, left_out), candidate.target, diagnostics_);
+}
+
+/// When the rechecks are spent: every effect that is left goes.
+void RecipeValidator::leave_out_all(Candidate& candidate) {
+  report_messages(candidate, {});
+  for (const int index : all_effects(candidate.recipe)) {
+    diagnostics_.report(DiagnosticId::effect_left_out, effect(index).span,
+                        fmt::format("effect `{}` is left out: the program stays invalid, and {} checks did not show which effects are at fault",
+                                    effect(index).label, kMaxRechecks));
+  }
+  candidate = check(with_effects(candidate.recipe, {}), candidate.target, diagnostics_);
+}
+
 /// Leaves effects out until the program is valid or nothing is left to leave out.
 void RecipeValidator::repair(Candidate& candidate) {
   rechecks_left_ = kMaxRechecks;
   while (!candidate.result.program) {
-    report_messages(candidate);
-    std::vector<int> failing = failing_set(candidate);
-    if (rechecks_left_ == 0) failing = all_effects(candidate.recipe);
-    if (failing.empty() && !replace_shader(candidate)) return;
-    if (!failing.empty()) {
-      report_left_out(failing, failing.back());
-      candidate.recipe = without_effect(candidate.recipe, failing.back());
+    const std::vector<int> failing = rechecks_left_ > kLastResorts ? failing_set(candidate) : all_effects(candidate.recipe);
+    const bool is_sure = failing.size() == 1 || rechecks_left_ > kLastResorts;
+    if (failing.empty()) {
+      report_messages(candidate, {});
+      if (!replace_shader(candidate)) return;
+      candidate = check(candidate.recipe, candidate.target, diagnostics_);
+    } else {
+      is_sure ? leave_out(candidate, failing) : leave_out_all(candidate);
     }
-    std::vector<Candidate> one(1);
-    one[0].recipe = candidate.recipe;
-    one[0].target = candidate.target;
-    compose_candidate(one[0]);
-    validate_candidates(one);
-    candidate = std::move(one[0]);
   }
 }
 
@@ -209,7 +256,7 @@ std::vector<ValidRecipe> RecipeValidator::run(const std::vector<Recipe>& recipes
       candidates.emplace_back();
       candidates.back().recipe = recipe;
       candidates.back().target = target;
-      compose_candidate(candidates.back());
+      compose_candidate(candidates.back(), diagnostics_);
     }
   }
   validate_candidates(candidates);

@@ -26,7 +26,7 @@ namespace plugc {
 namespace {
 
 /// To be counted up whenever judging changes: old entries are no longer found.
-constexpr int kJudgingVersion = 1;
+constexpr int kJudgingVersion = 2;
 constexpr std::size_t kMaxEntryBytes = std::size_t{64} << 20;
 
 std::string entry_tag() {
@@ -80,6 +80,11 @@ std::filesystem::path VerdictCache::path_of(std::string_view candidate) const {
   const std::string head = entry_head(candidate);
   const XXH128_hash_t hash = XXH3_128bits(head.data(), head.size());
   return folder_ / fmt::format("{:016x}{:016x}.verdict", hash.high64, hash.low64);
+}
+
+bool VerdictCache::empty() const {
+  std::error_code missing;
+  return folder_.empty() || std::filesystem::directory_iterator(folder_, missing) == std::filesystem::directory_iterator();
 }
 
 std::optional<Verdict> VerdictCache::find(std::string_view candidate) const {

@@ -16,6 +16,8 @@ class VerdictCache {
   /// An empty folder: nothing is kept.
   explicit VerdictCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
+  /// Nothing can be found: there is no folder, or nothing in it.
+  bool empty() const;
   /// `candidate` is encoded.
   std::optional<Verdict> find(std::string_view candidate) const;
   /// Keeps a valid verdict; others are not kept, as people mend those programs.

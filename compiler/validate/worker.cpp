@@ -47,11 +47,15 @@ Worker::~Worker() {
   }
 }
 
+void Worker::start() {
+  if (!worker_.valid() && !awaiting_) replace();
+}
+
 /// Waits for the fresh worker and its word that it is warm.
 bool Worker::connect() {
   if (worker_.valid()) return true;
   if (!spawner_.valid()) return false;
-  if (!awaiting_) replace();
+  start();
   const Deadline deadline = after(kStartTime);
   worker_ = receive_descriptor(spawner_, deadline);
   awaiting_ = false;

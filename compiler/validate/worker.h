@@ -17,11 +17,15 @@ namespace plugc {
 /// it is made. Not to be used by two threads at a time. Leaves no process behind, however the owner ends.
 class Worker {
  public:
-  /// The worker starts at once, and warms glslang up for these targets while the owner does something else.
+  /// The worker warms glslang up for these targets when it starts.
   explicit Worker(const std::vector<Target>& warm_targets);
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
+
+  /// Lets the worker start while the owner does something else; else it starts when it is first asked. Costs a processor
+  /// for some 25 ms, so it is not for owners who may never ask.
+  void start();
 
   enum class Outcome { answered, crashed, late, unavailable };
   struct Reply {
@@ -38,9 +42,9 @@ class Worker {
 
   Descriptor spawner_;  // where fresh workers come from
   pid_t spawner_id_ = -1;
-  Descriptor worker_;     // not valid while a fresh one is awaited
-  bool awaiting_ = true;  // a fresh one is on its way
-  bool used_ = false;     // the worker has judged something before
+  Descriptor worker_;      // not valid before it has greeted
+  bool awaiting_ = false;  // a fresh one is on its way
+  bool used_ = false;      // the worker has judged something before
 };
 
 }  // namespace plugc

@@ -128,10 +128,10 @@ void run_spawner(Descriptor owner, const std::vector<Target>& warm_targets) {
   reset_signals();
   lower_limit(RLIMIT_CORE, 0);
   pid_t worker = -1;
-  do {
+  while (wait_for_owner(owner)) {
     end_worker(worker);
     worker = start_worker(owner, warm_targets);
-  } while (wait_for_owner(owner));
+  }
   end_worker(worker);
   _exit(0);
 }

@@ -8,8 +8,8 @@
 
 namespace plugc {
 
-/// Forks a worker and sends its socket to the owner, then again for each byte that the owner sends; the worker before is
-/// killed. Ends when the owner's end of `owner` closes.
+/// For each byte that the owner sends, kills the worker before, forks one and sends its socket to the owner. Ends when the
+/// owner's end of `owner` closes.
 [[noreturn]] void run_spawner(Descriptor owner, const std::vector<Target>& warm_targets);
 
 /// Warms up, greets with an empty message, then answers candidates with verdicts until `owner` closes.

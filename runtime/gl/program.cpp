@@ -101,6 +101,13 @@ BuiltProgram build_program(const Functions& gl, const PackedTargetProgram& targe
   return built;
 }
 
+void warm_up_compiler(const Functions& gl) {
+  const Shader shader(gl, gl.CreateShader(GL_VERTEX_SHADER));
+  const char* const text = "#version 330 core\nvoid main() {}\n";
+  gl.ShaderSource(shader.id(), 1, &text, nullptr);
+  gl.CompileShader(shader.id());
+}
+
 void use_program(const Functions& gl, const Program& program) {
   gl.UseProgram(program.id());
 }

@@ -13,7 +13,7 @@ out vec4 castle_ColorPerVertexFragment;
 #ifdef VERTEX_EYE
 out vec4 castle_vertex_eye;
 #endif
-#ifdef NORMALS
+#ifdef NORMAL_EYE
 out vec3 castle_normal_eye;
 #endif
 
@@ -43,7 +43,7 @@ void main()
 #ifdef VERTEX_EYE
   castle_vertex_eye = vertex_eye;
 #endif
-#ifdef NORMALS
+#ifdef NORMAL_EYE
   castle_normal_eye = normal_eye;
 #endif
   gl_Position = castle_ProjectionMatrix * vertex_eye;

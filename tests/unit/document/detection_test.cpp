@@ -9,17 +9,16 @@ TEST(Document, TellsTheEncodingByContent) {
   EXPECT_EQ(Reading("#X3D V3.2 utf8\n").document.encoding, Encoding::classic);
   EXPECT_EQ(Reading("#VRML V2.0 utf8\n").document.encoding, Encoding::vrml2);
   EXPECT_EQ(Reading("\xEF\xBB\xBF \n<X3D><Scene/></X3D>").document.encoding, Encoding::xml);
+  EXPECT_EQ(Reading("\xEF\xBB\xBF\n{\"X3D\": {\"Scene\": {}}}").document.encoding, Encoding::json);
 }
 
 TEST(Document, NamesWhatItDoesNotRead) {
   EXPECT_EQ(messages_of("#VRML V1.0 ascii\nCube { }"), "1:1 16 this is VRML 1.0; plugc reads X3D and VRML 2.0\n");
   EXPECT_EQ(messages_of("\x1F\x8B\x08xx"), "1:1 5 this file is compressed; unpack it with `gunzip` first\n");
   EXPECT_EQ(messages_of(std::string("\xFF\xFE<\0", 4)), "1:1 4 this text is in UTF-16; save it as UTF-8\n");
-  EXPECT_EQ(messages_of(" {\"X3D\": 1}"),
-            "1:2 10 plugc does not read X3D in JSON; convert it to the classic or the XML encoding\n");
   EXPECT_EQ(messages_of(""), "1:1 0 this file is empty\n");
   EXPECT_EQ(messages_of("\n\nShape { }\n"),
-            "3:1 9 a scene begins with `#X3D V3.3 utf8`, `#VRML V2.0 utf8` or an XML tag; this text does not\n");
+            "3:1 9 a scene begins with `#X3D V3.3 utf8`, `#VRML V2.0 utf8`, an XML tag or `{`; this text does not\n");
 }
 
 TEST(Document, WarnsOfAVersionThatDoesNotExist) {

@@ -57,6 +57,13 @@ TEST_F(Validate, FindsATokenAsAWholeWord) {
               ElementsAre("fragment 4 <foo>: `foo`: undeclared identifier"));
 }
 
+TEST_F(Validate, RefusesExpressionsThatWouldEndADriversStack) {
+  std::string chain = "  float a = 0.5; color.r = a";
+  for (int i = 0; i < 5000; ++i) chain += "+a";
+  EXPECT_THAT(messages(plain_program(chain + ";")),
+              ElementsAre("fragment 0 <>: an expression nests more than 2000 deep, which crashes drivers"));
+}
+
 TEST_F(Validate, ReportsErrorsOfAllStages) {
   const ProgramText program = program_of("#version 330 core\nvoid main() { gl_Position = a; }\n", fragment_with("b;"));
   const std::vector<std::string> said = messages(program);

@@ -1,0 +1,196 @@
+// What an owner only declares is sought elsewhere: a function without a body in the shape's other effects (the thesis's
+// library parts), an input that no vertex part of its own effect writes among the varyings of the others, a uniform among the
+// fields of its effect and then of the ComposedShader. What is found gets the name that it has there.
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "compose/castle_names.h"
+#include "compose/placed_unit.h"
+
+namespace plugc {
+namespace {
+
+/// A definition of a function, and whose it is.
+struct Definition {
+  std::size_t owner = 0;
+  const FunctionOutline* function = nullptr;
+};
+
+class NameBinder {
+ public:
+  explicit NameBinder(Composition& composition) : c_(composition) {}
+  void run();
+
+ private:
+  void index_unit(const PlacedUnit& unit);
+  void bind_unit(const PlacedUnit& unit);
+  void bind_function(const PlacedUnit& unit, const FunctionOutline& prototype);
+  void bind_input(const PlacedUnit& unit, const GlobalOutline& input);
+  void check_castle_inputs(const PlacedUnit& unit);
+  void report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin, std::string message);
+  void list_fields(const PlacedUnit& unit);
+  FieldUniform field_uniform(const PlacedUnit& unit, const GlobalOutline& uniform) const;
+
+  Composition& c_;
+  std::map<std::pair<ShaderStage, std::string_view>, std::vector<Definition>> functions_;
+  std::map<std::string_view, std::set<std::size_t>> outputs_;  // of the vertex stage: name -> owners
+  std::set<std::string_view> written_;                         // castle_ names that the vertex stage uses
+  std::set<std::string> listed_;
+};
+
+void NameBinder::index_unit(const PlacedUnit& unit) {
+  for (const FunctionOutline& function : unit.code->outline.functions) {
+    if (function.is_definition()) functions_[{unit.stage, function.name}].push_back({unit.owner, &function});
+  }
+  if (unit.stage != ShaderStage::vertex) return;
+  for (const GlobalOutline& global : unit.code->outline.globals) {
+    if (global.storage == Storage::out) outputs_[global.name].insert(unit.owner);
+  }
+  written_.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
+}
+
+/// Whether the name stands anywhere in the unit but at `declared_at`.
+bool is_used(const CodeUnit& code, std::string_view name, const std::set<std::uint32_t>& declared_at) {
+  return std::any_of(code.tokens.tokens.begin(), code.tokens.tokens.end(), [&](const Token& token) {
+    if (token.kind == TokenKind::directive) return code.at(token).find(name) != std::string_view::npos;
+    return token.kind == TokenKind::identifier && code.at(token) == name && !declared_at.contains(token.begin);
+  });
+}
+
+bool same_parameters(const FunctionOutline& a, const FunctionOutline& b) {
+  return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(), b.parameters.end(),
+                    [](const Parameter& p, const Parameter& q) { return p.type == q.type && p.array == q.array; });
+}
+
+void NameBinder::report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin, std::string message) {
+  c_.diagnostics.report(id, name_span(*unit.code, name, begin), std::move(message));
+  c_.mark_faulty(unit);
+}
+
+void NameBinder::bind_function(const PlacedUnit& unit, const FunctionOutline& prototype) {
+  std::set<std::size_t> candidates;
+  for (const Definition& definition : functions_[{unit.stage, prototype.name}]) {
+    if (same_parameters(*definition.function, prototype)) candidates.insert(definition.owner);
+  }
+  if (candidates.contains(unit.owner)) return;
+  if (candidates.size() > 1) {
+    return report(DiagnosticId::ambiguous_function, unit, prototype.name, prototype.name_begin,
+                  fmt::format("`{}` is declared here and defined by {} other effects; define it in one, or in this one",
+                              prototype.name, candidates.size()));
+  }
+  if (candidates.size() == 1) {
+    std::string name = std::string(prototype.name);
+    const Owner& other = c_.owners[*candidates.begin()];
+    if (const auto renamed = other.renames.find(name); renamed != other.renames.end()) name = renamed->second;
+    auto& renames = c_.owners[unit.owner].renames;
+    if (name != prototype.name || renames.contains(prototype.name)) renames.insert_or_assign(std::string(prototype.name), name);
+    return;
+  }
+  const bool in_macro = !unit.code->outline.macros.empty();  // a macro may define functions that no outline shows
+  if (in_macro || !is_used(*unit.code, prototype.name, {prototype.name_begin})) return;
+  report(DiagnosticId::shader_invalid, unit, prototype.name, prototype.name_begin,
+         fmt::format("`{}` is declared and called, but nothing defines it in the {} stage of this shape", prototype.name,
+                     to_text(unit.stage)));
+}
+
+void NameBinder::bind_input(const PlacedUnit& unit, const GlobalOutline& input) {
+  const auto found = outputs_.find(input.name);
+  const std::set<std::size_t> candidates = found == outputs_.end() ? std::set<std::size_t>() : found->second;
+  if (candidates.contains(unit.owner) || !is_used(*unit.code, input.name, {input.name_begin})) return;
+  if (candidates.size() == 1) {
+    const Owner& other = c_.owners[*candidates.begin()];
+    const auto renamed = other.renames.find(input.name);
+    std::string name(renamed == other.renames.end() ? input.name : std::string_view(renamed->second));
+    c_.owners[unit.owner].renames.insert_or_assign(std::string(input.name), std::move(name));
+    return;
+  }
+  const std::string message =
+      candidates.empty()
+          ? fmt::format("nothing writes `{}`; declare it as `varying {} {};` in a `VERTEX` part too and write it there", input.name,
+                        input.type, input.name)
+          : fmt::format("`{}` is read here and written by {} other effects; write it in this one", input.name, candidates.size());
+  report(DiagnosticId::varying_unwritten, unit, input.name, input.name_begin, message);
+}
+
+/// castle_ varyings that this shape's vertex stage does not have: `castle_Color` under Phong shading, say.
+void NameBinder::check_castle_inputs(const PlacedUnit& unit) {
+  if (c_.owners[unit.owner].kind != OwnerKind::effect) return;
+  for (const std::string& name : unit.code->castle_names) {
+    const auto meaning = find_castle_name(name);
+    if (!meaning || meaning->kind != CastleKind::varying || written_.contains(name)) continue;
+    const auto& tokens = unit.code->tokens.tokens;
+    const auto token = std::find_if(tokens.begin(), tokens.end(), [&](const Token& t) {
+      return t.kind == TokenKind::identifier && unit.code->at(t) == name;
+    });
+    report(DiagnosticId::varying_unwritten, unit, name, token == tokens.end() ? 0 : token->begin,
+           fmt::format("nothing writes `{}` in the vertex stage of this shape{}", name,
+                       name == "castle_Color" ? "; it is there under `GOURAUD` shading only" : ""));
+  }
+}
+
+void NameBinder::bind_unit(const PlacedUnit& unit) {
+  for (const FunctionOutline& function : unit.code->outline.functions) {
+    if (!function.is_definition()) bind_function(unit, function);
+  }
+  if (unit.stage != ShaderStage::fragment) return;
+  for (const GlobalOutline& global : unit.code->outline.globals) {
+    if (global.storage == Storage::in && !global.name.starts_with("castle_")) bind_input(unit, global);
+  }
+  check_castle_inputs(unit);
+}
+
+int find_field(const SceneEffect& effect, std::string_view name) {
+  const auto found = std::find_if(effect.fields.begin(), effect.fields.end(), [&](const ShaderField& field) { return field.name == name; });
+  return found == effect.fields.end() ? -1 : static_cast<int>(found - effect.fields.begin());
+}
+
+/// The effect's own field, else the ComposedShader's of that name.
+FieldUniform NameBinder::field_uniform(const PlacedUnit& unit, const GlobalOutline& uniform) const {
+  const Owner& owner = c_.owners[unit.owner];
+  FieldUniform found;
+  found.name = c_.final_name(unit, uniform.name);
+  found.type = uniform.type;
+  found.owner = owner.index;
+  found.of_shader = owner.kind == OwnerKind::shader;
+  const std::string_view written = unit.code->written_name(uniform.name);
+  found.field = find_field(c_.author(owner), written);
+  found.span = name_span(*unit.code, uniform.name, uniform.name_begin);
+  if (found.field >= 0 || c_.recipe.shader < 0) return found;
+  const int shader_field = find_field(c_.input.scene.shaders[static_cast<std::size_t>(c_.recipe.shader)], written);
+  if (shader_field >= 0) {
+    found.owner = c_.recipe.shader;
+    found.of_shader = true;
+    found.field = shader_field;
+  }
+  return found;
+}
+
+void NameBinder::list_fields(const PlacedUnit& unit) {
+  for (const GlobalOutline& global : unit.code->outline.globals) {
+    const bool by_renderer = find_castle_name(global.name) || !number_own_light(global.name, 0).empty();
+    if (global.storage != Storage::uniform || by_renderer) continue;
+    FieldUniform uniform = field_uniform(unit, global);
+    if (listed_.insert(uniform.name).second) c_.result.fields.push_back(std::move(uniform));
+  }
+}
+
+void NameBinder::run() {
+  const auto each_unit = [&](bool by_author, auto member) {
+    for (const PlacedUnit& unit : c_.units) {
+      if (!unit.dropped && (!by_author || c_.by_author(unit))) (this->*member)(unit);
+    }
+  };
+  if (c_.owners.size() == 1) return;
+  each_unit(false, &NameBinder::index_unit);
+  each_unit(true, &NameBinder::bind_unit);
+  each_unit(true, &NameBinder::list_fields);
+}
+
+}  // namespace
+
+void bind_names(Composition& composition) { NameBinder(composition).run(); }
+
+}  // namespace plugc

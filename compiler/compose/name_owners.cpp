@@ -1,0 +1,167 @@
+// Every owner (the renderer, each effect, the ComposedShader) has a name space of its own; the composed text has one a
+// stage. Owners are taken in order, and a name that an earlier owner has is changed to `name_2`, `name_3`, ... everywhere in
+// its owner's code. castle_ names belong to the renderer whoever declares them, and so do vertex inputs, which the geometry
+// feeds by name. Uniforms and varyings live in all stages at once, other names in theirs. Structs that are equal token for
+// token are one type and need no second name.
+
+#include <fmt/format.h>
+
+#include "compose/placed_unit.h"
+#include "glsl/scan.h"
+#include "compose/struct_text.h"
+#include "glsl/tokens.h"
+
+namespace plugc {
+namespace {
+
+struct DeclaredName {
+  std::string_view name;
+  StageMask stages = 0;
+  const CodeUnit* struct_code = nullptr;  ///< For a struct, with `type`.
+  const StructOutline* type = nullptr;
+};
+
+bool is_castle(std::string_view name) { return name.starts_with("castle_"); }
+bool is_attribute(const PlacedUnit& unit, const GlobalOutline& global) {
+  return unit.stage == ShaderStage::vertex && global.storage == Storage::in;
+}
+
+class OwnerNamer {
+ public:
+  explicit OwnerNamer(Composition& composition) : c_(composition), units_by_owner_(composition.owners.size()) {
+    for (const PlacedUnit& unit : c_.units) {
+      if (!unit.dropped) units_by_owner_[unit.owner].push_back(&unit);
+    }
+  }
+  void run();
+
+ private:
+  void take_attributes();
+  std::vector<DeclaredName> declared_names(std::size_t owner) const;
+  void name_owner(std::size_t owner);
+  void name_struct(const DeclaredName& declared, std::size_t owner);
+  std::string choose_name(const DeclaredName& declared, std::size_t owner);
+
+  Composition& c_;
+  std::vector<std::vector<const PlacedUnit*>> units_by_owner_;
+  std::map<std::pair<StageMask, std::string>, std::string> structs_;  // final names by the structs' texts
+};
+
+/// Before all else, so that no function or variable of a renderer-fed name comes between.
+void OwnerNamer::take_attributes() {
+  for (const PlacedUnit& unit : c_.units) {
+    for (const GlobalOutline& global : unit.code->outline.globals) {
+      const bool fed = !unit.dropped && is_attribute(unit, global) && !is_castle(global.name);
+      if (fed) c_.taken.take(std::string(global.name), in_stage(unit.stage), 0);
+    }
+  }
+}
+
+std::vector<DeclaredName> OwnerNamer::declared_names(std::size_t owner) const {
+  std::vector<DeclaredName> names;
+  for (const PlacedUnit* unit : units_by_owner_[owner]) {
+    const Outline& outline = unit->code->outline;
+    const StageMask here = in_stage(unit->stage);
+    for (const FunctionOutline& function : outline.functions) {
+      const bool own = function.is_definition() && plug_name(function.name).empty() && function.name != "main";
+      if (own) names.push_back({function.name, here, nullptr, nullptr});
+    }
+    for (const GlobalOutline& global : outline.globals) {
+      if (is_castle(global.name) || is_attribute(*unit, global)) continue;
+      const bool shared = global.storage == Storage::uniform || global.storage == Storage::in || global.storage == Storage::out;
+      names.push_back({global.name, shared ? kAllStages : here, nullptr, nullptr});
+    }
+    for (const StructOutline& type : outline.structs) {
+      if (!type.name.empty()) names.push_back({type.name, here, unit->code.get(), &type});
+      if (!type.instance.empty()) names.push_back({type.instance, here, nullptr, nullptr});
+    }
+  }
+  return names;
+}
+
+/// The name that the owner's code gets; taken from here on.
+std::string OwnerNamer::choose_name(const DeclaredName& declared, std::size_t owner) {
+  auto& renames = c_.owners[owner].renames;
+  const auto renamed = renames.find(declared.name);
+  std::string name(renamed == renames.end() ? declared.name : std::string_view(renamed->second));
+  if (!c_.taken.is_free(name, declared.stages, owner)) {
+    name = c_.taken.new_name(std::string(declared.name), owner, c_.units);
+    renames.insert_or_assign(std::string(declared.name), name);
+  }
+  c_.taken.take(name, declared.stages, owner);
+  return name;
+}
+
+void OwnerNamer::name_struct(const DeclaredName& declared, std::size_t owner) {
+  const auto [known, added] = structs_.try_emplace({declared.stages, struct_text(*declared.struct_code, *declared.type)});
+  if (added) {
+    known->second = choose_name(declared, owner);
+  } else if (known->second != declared.name) {
+    c_.owners[owner].renames.insert_or_assign(std::string(declared.name), known->second);
+  }
+}
+
+void OwnerNamer::name_owner(std::size_t owner) {
+  for (const DeclaredName& declared : declared_names(owner)) {
+    if (declared.type != nullptr) {
+      name_struct(declared, owner);
+    } else {
+      choose_name(declared, owner);
+    }
+  }
+}
+
+void OwnerNamer::run() {
+  take_attributes();
+  for (std::size_t owner = 0; owner < c_.owners.size(); ++owner) name_owner(owner);
+}
+
+}  // namespace
+
+void name_owners(Composition& composition) { OwnerNamer(composition).run(); }
+
+bool TakenNames::is_free(std::string_view name, StageMask stages, std::size_t owner) const {
+  for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+    if ((stages & (1U << stage)) == 0) continue;
+    const auto found = owners_[stage].find(name);
+    if (found != owners_[stage].end() && found->second != owner) return false;
+  }
+  return true;
+}
+
+void TakenNames::take(const std::string& name, StageMask stages, std::size_t owner) {
+  const std::string& kept = *kept_.emplace_back(std::make_unique<const std::string>(name));
+  for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+    if ((stages & (1U << stage)) != 0) owners_[stage].try_emplace(kept, owner);
+  }
+}
+
+std::string TakenNames::new_name(const std::string& name, std::size_t owner, const std::vector<PlacedUnit>& units) {
+  constexpr std::size_t kNobody = SIZE_MAX;
+  const auto& words = words_of(owner, units);
+  for (int& number = next_number_.try_emplace(name, 2).first->second;; ++number) {
+    std::string candidate = fmt::format("{}_{}", name, number);
+    if (is_free(candidate, kAllStages, kNobody) && !words.contains(candidate)) return candidate;
+  }
+}
+
+/// The words of the owner's code that end in a digit, as new names do, those in macros included: a new name must not meet a
+/// local variable either.
+const std::unordered_set<std::string_view>& TakenNames::words_of(std::size_t owner, const std::vector<PlacedUnit>& units) {
+  const auto [found, added] = words_.try_emplace(owner);
+  for (std::size_t u = 0; added && u < units.size(); ++u) {
+    if (units[u].owner != owner) continue;
+    const CodeUnit& code = *units[u].code;
+    const auto add = [&](std::string_view word) {
+      if (is_digit(word.back())) found->second.insert(word);
+    };
+    for (const Token& token : code.tokens.tokens) {
+      if (token.kind == TokenKind::identifier) add(code.at(token));
+      if (token.kind != TokenKind::directive) continue;
+      for (const Token& word : directive_tokens(code.text.text(), token)) add(code.at(word));
+    }
+  }
+  return found->second;
+}
+
+}  // namespace plugc

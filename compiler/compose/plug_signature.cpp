@@ -1,0 +1,104 @@
+// The type of an argument is known when it is a plain name that the enclosing function or a global declares: the nearest
+// declaration in front of the marker counts. No expression is typed; an unknown type fits everything, and glslang judges.
+
+#include "compose/plug_signature.h"
+
+#include <algorithm>
+
+#include "glsl/scan.h"
+
+namespace plugc {
+namespace {
+
+bool is_sampler(std::string_view type) { return type.find("sampler") != std::string_view::npos; }
+
+bool parameter_fits(const Parameter& parameter, const PlugParameter& plug, bool per_light_color) {
+  const bool direction_fits = parameter.direction == Direction::in || plug.direction == "inout";
+  const bool type_fits = parameter.type == plug.type || (plug.type == "samplerT" && is_sampler(parameter.type)) ||
+                         (per_light_color && plug.type == "vec4" && parameter.type == "vec3");
+  return direction_fits && type_fits && parameter.array.empty();
+}
+
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  const std::size_t begin = std::min(text.find_first_not_of(kBlank), text.size());
+  return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && is_identifier_start(text.front()) && std::all_of(text.begin(), text.end(), is_identifier_part);
+}
+
+/// The word in front of the last `type name` in [begin, end); "" when there is none.
+std::string_view local_type(const CodeUnit& code, std::string_view name, std::uint32_t begin, std::uint32_t end) {
+  const auto& tokens = code.tokens.tokens;
+  const auto before = [](const Token& token, std::uint32_t at) { return token.begin < at; };
+  auto token = std::lower_bound(tokens.begin(), tokens.end(), end, before);
+  while (token != tokens.begin() && (--token)->begin > begin) {
+    const bool named = token->kind == TokenKind::identifier && code.at(*token) == name && token != tokens.begin();
+    const bool declared = named && (token - 1)->kind == TokenKind::identifier && code.at(*(token - 1)) != "return";
+    if (declared) return code.at(*(token - 1));
+  }
+  return "";
+}
+
+std::string_view argument_type(const CodeUnit& code, const MarkerOutline& marker, std::string_view argument) {
+  if (!is_name(argument)) return "";
+  if (marker.enclosing_function < code.outline.functions.size()) {
+    const FunctionOutline& function = code.outline.functions[marker.enclosing_function];
+    const std::string_view local = local_type(code, argument, function.body_begin, marker.begin);
+    if (!local.empty()) return local;
+    for (const Parameter& parameter : function.parameters) {
+      if (parameter.name == argument) return parameter.type;
+    }
+  }
+  for (const GlobalOutline& global : code.outline.globals) {
+    if (global.name == argument) return global.type;
+  }
+  return "";
+}
+
+}  // namespace
+
+bool is_per_light_color(std::string_view plug) { return plug == "material_light_ambient" || plug == "material_light_specular"; }
+
+bool fits_plug(const FunctionOutline& function, const PlugInfo& plug) {
+  std::vector<PlugParameter> wanted = plug.parameters;
+  const bool sampler_left_out = plug.name == "texture_color" && function.parameters.size() + 1 == wanted.size();
+  if (sampler_left_out) std::erase_if(wanted, [](const PlugParameter& parameter) { return parameter.type == "samplerT"; });
+  return std::equal(function.parameters.begin(), function.parameters.end(), wanted.begin(), wanted.end(),
+                    [&](const Parameter& given, const PlugParameter& want) {
+                      return parameter_fits(given, want, is_per_light_color(plug.name));
+                    });
+}
+
+std::vector<std::string_view> split_arguments(std::string_view arguments) {
+  std::vector<std::string_view> parts;
+  if (trim(arguments).empty()) return parts;
+  std::size_t begin = 0;
+  int depth = 0;
+  for (std::size_t i = 0; i <= arguments.size(); ++i) {
+    const char c = i < arguments.size() ? arguments[i] : ',';
+    if (c == '(' || c == '[') ++depth;
+    if (c == ')' || c == ']') --depth;
+    if (i < arguments.size() && (c != ',' || depth != 0)) continue;
+    parts.push_back(trim(arguments.substr(begin, i - begin)));
+    begin = i + 1;
+  }
+  return parts;
+}
+
+bool fits_marker(const FunctionOutline& function, const CodeUnit& code, const MarkerOutline& marker, bool has_overloads) {
+  const std::vector<std::string_view> arguments = split_arguments(marker.arguments);
+  if (arguments.size() != function.parameters.size()) return false;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string_view wanted = function.parameters[i].type;
+    const bool typed = is_sampler(wanted) || has_overloads;
+    if (!typed || (is_per_light_color(marker.name) && wanted == "vec3")) continue;
+    const std::string_view type = argument_type(code, marker, arguments[i]);
+    if (!type.empty() && type != wanted) return false;
+  }
+  return true;
+}
+
+}  // namespace plugc

@@ -1,0 +1,26 @@
+#pragma once
+// Whether a plug function suits its plug: by the table for the plugs of templates, by the arguments that a marker passes for
+// all others.
+
+#include <string_view>
+#include <vector>
+
+#include "compose/code_unit.h"
+#include "compose/plug_table.h"
+
+namespace plugc {
+
+/// Whether the function's parameters fit the table's (thesis, appendix A: qualifiers may be weakened).
+bool fits_plug(const FunctionOutline& function, const PlugInfo& plug);
+
+/// The arguments of a marker, split at the commas outside of brackets, without blanks around them.
+std::vector<std::string_view> split_arguments(std::string_view arguments);
+
+/// Whether the marker's call suits the function: as many arguments, and where a type matters (samplers always, others when
+/// the plug has overloads) no argument that is known to have another one.
+bool fits_marker(const FunctionOutline& function, const CodeUnit& code, const MarkerOutline& marker, bool has_overloads);
+
+/// material_light_ambient and _specular: the thesis has vec4, the newer engine vec3; both are taken.
+bool is_per_light_color(std::string_view plug);
+
+}  // namespace plugc

@@ -1,0 +1,256 @@
+// Every .case file is a test. PLUGC_REWRITE=1 writes what is said now into the `diagnostics` sections; review it as a diff.
+// One more test sees to it that every kind of diagnostic stands in some case.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "conformance/case_file.h"
+#include "image/write_png.h"
+#include "support/compile_text.h"
+#include "support/draw_package.h"
+
+namespace plugc {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kPictureSide = 32;
+
+bool is_rewriting() {
+  return std::getenv("PLUGC_REWRITE") != nullptr;
+}
+
+/// Diagnostics that no case can show, each with the reason.
+const std::map<std::string_view, std::string_view> kShownElsewhere = {
+#include "conformance/shown_elsewhere.inc"
+};
+
+void write_image(const SceneFolder& folder, const CaseSection& section) {
+  std::vector<std::uint8_t> pixels;
+  std::uint32_t height = 0;
+  for (auto line = section.lines.rbegin(); line != section.lines.rend(); ++line) {
+    std::istringstream stream(*line);
+    std::string pixel;
+    height += line->empty() ? 0 : 1;
+    while (stream >> pixel) {
+      for (std::size_t i = 0; i < 8; i += 2)
+        pixels.push_back(static_cast<std::uint8_t>(std::stoi(pixel.substr(i, 2), nullptr, 16)));
+    }
+  }
+  const auto width = static_cast<std::uint32_t>(pixels.size() / 4 / std::max(height, 1U));
+  EXPECT_TRUE(write_png((folder.path() / section.title.at(1)).string(), width, height, pixels, true));
+}
+
+/// Writes the case's files and returns the scene among them.
+fs::path write_files(const CaseFile& file, const SceneFolder& folder) {
+  fs::path scene;
+  for (const CaseSection& section : file.sections) {
+    if (section.title.front() == "image") write_image(folder, section);
+    if (section.title.front() != "file") continue;
+    const fs::path path = folder.write(section.title.at(1), section_text(section));
+    if (scene.empty()) scene = path;
+  }
+  return scene;
+}
+
+CompileOptions read_options(const CaseFile& file) {
+  CompileOptions options;
+  const CaseSection* section = file.find("options");
+  if (section == nullptr) return options;
+  for (const std::string& line : section->lines) {
+    std::istringstream stream(line);
+    std::string word;
+    std::string value;
+    stream >> word >> value;
+    if (word == "lint") options.for_lint = true;
+    if (word == "stage") options.stage = value;
+    if (word == "target") options.targets = {target_named(value).value()};
+  }
+  return options;
+}
+
+/// Blanks at the ends gone, others one.
+std::string squeezed(std::string_view line) {
+  std::string text;
+  for (const char c : line) {
+    const bool blank = c == ' ' || c == '\t' || c == '\r';
+    if (!blank)
+      text += c;
+    else if (!text.empty() && text.back() != ' ')
+      text += ' ';
+  }
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+std::vector<std::string> squeezed_lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(squeezed(line));
+  return lines;
+}
+
+void expect_in_order(const std::string& text, const CaseSection& section) {
+  const std::vector<std::string> lines = squeezed_lines(text);
+  auto from = lines.begin();
+  for (const std::string& wanted : section.lines) {
+    const std::string part = squeezed(wanted);
+    if (part.empty()) continue;
+    const auto found =
+        std::find_if(from, lines.end(), [&](const std::string& line) { return line.find(part) != std::string::npos; });
+    if (found == lines.end()) {
+      ADD_FAILURE() << "line " << section.line << ": `" << part << "` is missing (or comes too early) in\n" << text;
+      return;
+    }
+    from = found + 1;
+  }
+}
+
+void expect_absent(const std::string& text, const CaseSection& section) {
+  for (const std::string& line : squeezed_lines(text)) {
+    for (const std::string& unwanted : section.lines) {
+      const std::string part = squeezed(unwanted);
+      const bool stands = !part.empty() && line.find(part) != std::string::npos;
+      EXPECT_FALSE(stands) << "line " << section.line << ": `" << part << "` stands in\n" << text;
+    }
+  }
+}
+
+void expect_stage(const Compiled& compiled, PackedStageKind stage, const CaseSection& section) {
+  const auto program = static_cast<std::uint32_t>(std::stoul(section.title.at(1)));
+  const std::string text = compiled.stage_text(program, stage);
+  ASSERT_NE(text, "") << "line " << section.line << ": there is no such program";
+  if (section.title.size() > 2 && section.title[2] == "lacks")
+    expect_absent(text, section);
+  else
+    expect_in_order(text, section);
+}
+
+void expect_pixels(const Compiled& compiled, const CaseSection& section) {
+  const Picture picture = draw_package(*compiled.package, kPictureSide, kPictureSide);
+  for (const std::string& line : section.lines) {
+    if (line.empty()) continue;
+    std::istringstream stream(line);
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    char colon = 0;
+    Color color{};
+    stream >> x >> y >> colon >> color[0] >> color[1] >> color[2];
+    ASSERT_TRUE(stream && colon == ':') << "line " << section.line << ": `" << line << "` is no `X Y: R G B`";
+    EXPECT_THAT(color_at(picture, x, y), IsColor(color)) << "at " << x << ", " << y;
+  }
+}
+
+void expect_section(const Compiled& compiled, const CaseSection& section) {
+  const std::string& kind = section.title.front();
+  if (kind == "vertex")
+    expect_stage(compiled, PackedStageKind::vertex, section);
+  else if (kind == "fragment")
+    expect_stage(compiled, PackedStageKind::fragment, section);
+  else if (kind == "pixels")
+    expect_pixels(compiled, section);
+  else if (kind == "programs")
+    EXPECT_EQ(std::to_string(compiled.package->programs()->size()), section.lines.at(0));
+  else if (kind != "file" && kind != "image" && kind != "options" && kind != "diagnostics") {
+    ADD_FAILURE() << "line " << section.line << ": no section is called `" << kind << "`";
+  }
+}
+
+/// A line of expectation may end behind the code; then any message is right.
+bool is_expected(const std::string& said, const std::string& expected) {
+  return said == expected || (std::count(expected.begin(), expected.end(), ' ') == 1 && said.starts_with(expected + " "));
+}
+
+void expect_diagnostics(const Compiled& compiled, const CaseFile& file) {
+  const std::vector<std::string> said = compiled.messages();
+  if (is_rewriting()) return rewrite_diagnostics(file, said);
+  std::vector<std::string> expected;
+  if (const CaseSection* section = file.find("diagnostics")) expected = section->lines;
+  std::erase(expected, "");
+  EXPECT_TRUE(std::equal(said.begin(), said.end(), expected.begin(), expected.end(), is_expected))
+      << "said:\n  " << fmt::format("{}", fmt::join(said, "\n  ")) << "\nexpected:\n  "
+      << fmt::format("{}", fmt::join(expected, "\n  "));
+}
+
+class CaseTest : public testing::Test {
+ public:
+  explicit CaseTest(CaseFile file) : file_(std::move(file)) {}
+
+  void TestBody() override {
+    const SceneFolder folder;
+    const fs::path scene = write_files(file_, folder);
+    ASSERT_FALSE(scene.empty()) << "the case has no `--- file`";
+    CompileOptions options = read_options(file_);
+    options.root = folder.path();
+    const Compiled compiled = compile_file(scene, options);
+    expect_diagnostics(compiled, file_);
+    for (const CaseSection& section : file_.sections) expect_section(compiled, section);
+  }
+
+ private:
+  CaseFile file_;
+};
+
+/// The codes that stand in `diagnostics` sections.
+std::set<std::string> shown_codes(const std::vector<CaseFile>& files) {
+  std::set<std::string> codes;
+  for (const CaseFile& file : files) {
+    const CaseSection* section = file.find("diagnostics");
+    if (section == nullptr) continue;
+    for (const std::string& line : section->lines) {
+      std::istringstream stream(line);
+      std::string place;
+      std::string code;
+      if (stream >> place >> code) codes.insert(code);
+    }
+  }
+  return codes;
+}
+
+class CoverageTest : public testing::Test {
+ public:
+  explicit CoverageTest(std::set<std::string> shown) : shown_(std::move(shown)) {}
+
+  void TestBody() override {
+    std::vector<std::string_view> missing;
+    for (std::uint16_t i = 0; i < static_cast<std::uint16_t>(DiagnosticId::count); ++i) {
+      const std::string_view code = diagnostic_kind(static_cast<DiagnosticId>(i)).code;
+      const bool exempt = kShownElsewhere.contains(code);
+      const bool shown = shown_.contains(std::string(code));
+      if (!shown && !exempt) missing.push_back(code);
+      EXPECT_FALSE(shown && exempt) << "`" << code << "` stands in a case now; take it out of shown_elsewhere.inc";
+    }
+    EXPECT_THAT(missing, testing::IsEmpty()) << "stand in no case; write one under tests/conformance";
+  }
+
+ private:
+  std::set<std::string> shown_;
+};
+
+void register_tests(const std::vector<CaseFile>& files) {
+  for (const CaseFile& file : files) {
+    const std::size_t dot = file.name.rfind('.');
+    const std::string suite = dot == std::string::npos ? "case" : file.name.substr(0, dot);
+    const std::string name = dot == std::string::npos ? file.name : file.name.substr(dot + 1);
+    testing::RegisterTest(suite.c_str(), name.c_str(), nullptr, nullptr, file.path.c_str(), 1,
+                          [file]() -> testing::Test* { return new CaseTest(file); });
+  }
+  testing::RegisterTest("Diagnostics", "EachStandsInSomeCase", nullptr, nullptr, __FILE__, __LINE__,
+                        [shown = shown_codes(files)]() -> testing::Test* { return new CoverageTest(shown); });
+}
+
+}  // namespace
+}  // namespace plugc
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  plugc::process_validator();  // forks: before the renderer starts its threads
+  plugc::register_tests(plugc::read_case_files(PLUGC_SOURCE_DIR "/tests/conformance"));
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,2 @@
+// Planted for the test of the include rules; never compiled.
+#include "scene/scene.h"

@@ -1,0 +1,3 @@
+// Planted for the test of the include rules; never compiled.
+#include "runtime/gl/objects.h"  // allowed
+#include "runtime/render.h"

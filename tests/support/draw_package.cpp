@@ -1,0 +1,64 @@
+// One OpenGL context serves all pictures of a test program. Its code cache lies in the build folder, so that only the first
+// run pays for generating code.
+
+#include "support/draw_package.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace plugc {
+namespace {
+
+Renderer* process_renderer() {
+  static const std::unique_ptr<Renderer> renderer = [] {
+    RendererOptions options;
+    options.single_picture = true;
+    options.cache_folder = PLUGC_BINARY_DIR "/test_cache/mesa";
+    std::string error;
+    auto made = Renderer::make(options, error);
+    EXPECT_NE(made, nullptr) << error;
+    return made;
+  }();
+  return renderer.get();
+}
+
+}  // namespace
+
+Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height) {
+  Renderer* renderer = process_renderer();
+  std::string error;
+  if (renderer == nullptr || !renderer->load(package, 0, error)) {
+    ADD_FAILURE() << "nothing can be drawn: " << error;
+    return {};
+  }
+  FrameOptions frame;
+  frame.width = width;
+  frame.height = height;
+  Picture picture = renderer->draw(frame);
+  EXPECT_THAT(renderer->messages(), testing::IsEmpty());
+  return picture;
+}
+
+Color color_at(const Picture& picture, std::uint32_t x, std::uint32_t y) {
+  if (x >= picture.width || y >= picture.height) {
+    ADD_FAILURE() << "no pixel " << x << ", " << y;
+    return {};
+  }
+  const std::size_t at = (std::size_t{picture.height - 1 - y} * picture.width + x) * 4;
+  return {picture.pixels[at], picture.pixels[at + 1], picture.pixels[at + 2]};
+}
+
+bool is_near(const Color& a, const Color& b, int tolerance) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(a[i] - b[i]) > tolerance) return false;
+  }
+  return true;
+}
+
+Color from_factors(double red, double green, double blue) {
+  const auto channel = [](double factor) { return static_cast<int>(std::lround(std::clamp(factor, 0.0, 1.0) * 255)); };
+  return {channel(red), channel(green), channel(blue)};
+}
+
+}  // namespace plugc

@@ -1,0 +1,33 @@
+#pragma once
+// Packages drawn by the runtime, and what their pixels are.
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <ostream>
+
+#include "package/package_file.h"
+#include "runtime/render.h"
+
+namespace plugc {
+
+using Color = std::array<int, 3>;
+
+/// Draws the first scene of a package on the one renderer of this process. Whatever the renderer has to say is a failure.
+Picture draw_package(const Package& package, std::uint32_t width = 64, std::uint32_t height = 64);
+
+/// The colour `x` pixels from the left and `y` from the top.
+Color color_at(const Picture& picture, std::uint32_t x, std::uint32_t y);
+
+/// Each channel within `tolerance` of the other colour's.
+bool is_near(const Color& a, const Color& b, int tolerance);
+
+MATCHER_P(IsColor, color, "is about " + testing::PrintToString(color)) {
+  constexpr int kRounding = 2;  // one step for 8 bits, one for arithmetic in 32-bit floats
+  return is_near(arg, color, kRounding);
+}
+
+/// A colour from factors of 1, as lighting equations give it: clamped, and rounded to 8 bits.
+Color from_factors(double red, double green, double blue);
+
+}  // namespace plugc

@@ -1,0 +1,194 @@
+// The program itself: its exit status, its streams, its formats.
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "image/image.h"
+#include "support/compile_text.h"
+#include "support/draw_package.h"
+
+namespace plugc {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Ended {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+/// Runs plugc in the folder, without its caches.
+Ended run_plugc(const SceneFolder& folder, std::string_view arguments) {
+  const std::string command =
+      fmt::format("cd {} && PLUGC_CACHE_DIR=cache {} {} >out.txt 2>err.txt", folder.path().string(), PLUGC_CLI, arguments);
+  const int result = std::system(command.c_str());
+  return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, read_file(folder.path() / "out.txt"),
+          read_file(folder.path() / "err.txt")};
+}
+
+constexpr std::string_view kFine = R"(#X3D V4.0 utf8
+Shape {
+  appearance Appearance {
+    material UnlitMaterial { emissiveColor 1 1 1 }
+    effects Effect { parts EffectPart { type "FRAGMENT" url "data:text/plain,
+void PLUG_fragment_modify(inout vec4 c) { c.r = 0.5; }" } }
+  }
+  geometry Box { }
+}
+)";
+
+// Three mistakes, each at a line and column of its own, and a fourth effect that works.
+constexpr std::string_view kFaulty = R"(#X3D V4.0 utf8
+Shape {
+  appearance Appearance {
+    material UnlitMaterial { emissiveColor 1 1 1 }
+    effects [
+      Effect { language "CG" parts EffectPart { type "FRAGMENT" url "data:text/plain,float4 main() { }" } }
+      Effect { language "GLSL" parts EffectPart { type "PIXEL" url "data:text/plain,void PLUG_fragment_modify(inout vec4 c) { }" } }
+      Effect { language "GLSL" parts EffectPart { type "FRAGMENT" url "data:text/plain,
+void helper() { }
+  void PLUG_fragment_modfy(inout vec4 c) { c.r = 0.0; }" } }
+      Effect { language "GLSL" parts EffectPart { type "FRAGMENT" url "data:text/plain,
+void PLUG_fragment_modify(inout vec4 c) { c.r = 0.5; }" } }
+    ]
+  }
+  geometry Box { }
+}
+)";
+
+TEST(CommandLine, LintNamesEveryMistakeWhereItStands) {
+  const SceneFolder folder;
+  folder.write("faulty.x3dv", kFaulty);
+  const Ended run = run_plugc(folder, "lint faulty.x3dv");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("faulty.x3dv:6:25: warning: an effect in language `CG` is passed over"));
+  EXPECT_THAT(run.err, HasSubstr("faulty.x3dv:7:56: error: `PIXEL` is no shader stage"));
+  EXPECT_THAT(
+      run.err,
+      HasSubstr("faulty.x3dv:10:8: error: no plug `fragment_modfy` in a fragment stage; did you mean `fragment_modify`?"));
+  EXPECT_EQ(run.out, "1 files, 2 errors, 1 warnings, 0 notes\n");
+}
+
+TEST(CommandLine, TheFaultySceneIsDrawnWithTheEffectThatWorks) {
+  const SceneFolder folder;
+  folder.write("faulty.x3dv", kFaulty);
+  EXPECT_EQ(run_plugc(folder, "preview faulty.x3dv -o picture.png --size 32x32").status, 1);
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  const auto image = decode_image(read_file(folder.path() / "picture.png"), "picture.png", {}, diagnostics);
+  ASSERT_TRUE(image.has_value());
+  const std::size_t middle = (16 * 32 + 16) * std::size_t{image->channels};
+  EXPECT_THAT((Color{image->pixels[middle], image->pixels[middle + 1], image->pixels[middle + 2]}),
+              IsColor(Color{128, 255, 255}));
+}
+
+TEST(CommandLine, ExitStatusTellsMistakesOfTheInputFromThoseOfTheCommand) {
+  const SceneFolder folder;
+  folder.write("fine.x3dv", kFine);
+  folder.write("faulty.x3dv", kFaulty);
+  EXPECT_EQ(run_plugc(folder, "build fine.x3dv -o fine.plugpack").status, 0);
+  EXPECT_EQ(run_plugc(folder, "lint fine.x3dv").status, 0);
+  EXPECT_EQ(run_plugc(folder, "build faulty.x3dv -o faulty.plugpack").status, 1);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "faulty.plugpack"));
+  for (const std::string_view wrong :
+       {"", "bild fine.x3dv", "build fine.x3dv", "build missing.x3dv -o x", "build fine.x3dv -o no/such/folder/x",
+        "lint --format yaml fine.x3dv", "preview fine.x3dv -o x.png --size huge"}) {
+    const Ended run = run_plugc(folder, wrong);
+    EXPECT_EQ(run.status, 2) << wrong;
+    EXPECT_NE(run.err, "") << wrong;
+  }
+}
+
+TEST(CommandLine, HelpIsNoMistake) {
+  const SceneFolder folder;
+  const Ended all = run_plugc(folder, "--help");
+  EXPECT_EQ(all.status, 0);
+  for (const std::string verb : {"build", "lint", "preview", "inspect"}) {
+    EXPECT_THAT(all.out, HasSubstr(verb));
+    const Ended run = run_plugc(folder, verb + " --help");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.out, HasSubstr("Example: plugc " + verb));
+  }
+  EXPECT_THAT(run_plugc(folder, "--version").out, HasSubstr("plugc "));
+}
+
+TEST(CommandLine, LintWritesJson) {
+  const SceneFolder folder;
+  folder.write("faulty.x3dv", kFaulty);
+  const Ended run = run_plugc(folder, "lint --format json faulty.x3dv");
+  EXPECT_EQ(run.status, 1);
+  const Json list = Json::parse(run.out, nullptr, false);
+  ASSERT_TRUE(list.is_array());
+  ASSERT_EQ(list.size(), 3U);
+  const Json& unknown_plug = list[2];
+  EXPECT_EQ(unknown_plug["code"], "effect-unknown-plug");
+  EXPECT_EQ(unknown_plug["severity"], "error");
+  EXPECT_EQ(unknown_plug["file"], "faulty.x3dv");
+  EXPECT_EQ(unknown_plug["line"], 10);
+  EXPECT_EQ(unknown_plug["column"], 8);
+  EXPECT_EQ(unknown_plug["end_column"], 27);
+}
+
+TEST(CommandLine, LintWritesSarif) {
+  const SceneFolder folder;
+  folder.write("faulty.x3dv", kFaulty);
+  const Json log = Json::parse(run_plugc(folder, "lint --format sarif faulty.x3dv").out, nullptr, false);
+  ASSERT_TRUE(log.is_object());
+  EXPECT_EQ(log["version"], "2.1.0");
+  const Json& sarif_run = log["runs"][0];
+  EXPECT_EQ(sarif_run["tool"]["driver"]["name"], "plugc");
+  ASSERT_EQ(sarif_run["results"].size(), 3U);
+  const Json& region = sarif_run["results"][2]["locations"][0]["physicalLocation"]["region"];
+  EXPECT_EQ(region["startLine"], 10);
+  EXPECT_EQ(region["startColumn"], 8);
+}
+
+TEST(CommandLine, LintWritesGithubCommands) {
+  const SceneFolder folder;
+  folder.write("faulty.x3dv", kFaulty);
+  const std::string out = run_plugc(folder, "lint --format github faulty.x3dv").out;
+  EXPECT_THAT(out, HasSubstr("::error file=faulty.x3dv,line=10,col=8::no plug `fragment_modfy`"));
+  std::istringstream lines(out);
+  const std::regex command(R"(::(error|warning|notice)( file=[^,]+,line=\d+,col=\d+)?::.+ \[[a-z-]+\])");
+  for (std::string line; std::getline(lines, line);) EXPECT_TRUE(std::regex_match(line, command)) << line;
+}
+
+TEST(CommandLine, APackagePreviewsAsItsScene) {
+  const SceneFolder folder;
+  folder.write("fine.x3dv", kFine);
+  EXPECT_EQ(run_plugc(folder, "build fine.x3dv -o fine.plugpack").status, 0);
+  EXPECT_EQ(run_plugc(folder, "preview fine.x3dv -o scene.png --size 64x36").status, 0);
+  EXPECT_EQ(run_plugc(folder, "preview fine.plugpack -o package.png --size 64x36").status, 0);
+  const std::string picture = read_file(folder.path() / "scene.png");
+  EXPECT_NE(picture, "");
+  EXPECT_EQ(picture, read_file(folder.path() / "package.png"));
+}
+
+TEST(CommandLine, ADamagedPackageIsRefused) {
+  const SceneFolder folder;
+  folder.write("fine.x3dv", kFine);
+  EXPECT_EQ(run_plugc(folder, "build fine.x3dv -o fine.plugpack").status, 0);
+  std::string bytes = read_file(folder.path() / "fine.plugpack");
+  bytes[bytes.size() / 2] ^= 1;
+  folder.write("damaged.plugpack", bytes);
+  const Ended run = run_plugc(folder, "preview damaged.plugpack -o picture.png");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("damaged.plugpack: content hash differs"));
+}
+
+}  // namespace
+}  // namespace plugc
