@@ -95,6 +95,10 @@ EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics)
     if (!seen.insert(source.node).second) continue;
     EffectCode::Part part = make_part(source, Target::glsl330);
     if (asks_for_essl(source)) part.for_essl = std::make_shared<const EffectCode::Part>(make_part(source, Target::essl300));
+    if (part.in_geometry) {
+      diagnostics.report(DiagnosticId::not_drawn, source.span,
+                         "a `GEOMETRY` part is not composed yet; the other parts of its effect are");
+    }
     bool too_large = false;
     for (const auto& unit : {part.in_vertex, part.in_fragment, part.in_geometry}) {
       if (!unit) continue;

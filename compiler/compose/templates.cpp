@@ -1,6 +1,6 @@
 // Cutting goes from directive to directive with a stack of "is this branch taken"; numbering goes from one capital N to the next. Templates
 // are in GLSL 3.30 with castle_ names already (a test holds them to it), so they are not upgraded as authors' texts are:
-// that alone would take a third of all composing.
+// that took a quarter of all composing.
 
 #include "compose/templates.h"
 

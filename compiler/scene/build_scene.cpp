@@ -202,6 +202,9 @@ void SceneWalk::visit_bindable(NodeId node, const Scope& scope) {
     context_.scene.background_color = context_.slots.slot(node, "skyColor");
   } else if ((graph_.is(node, "NavigationInfo") || graph_.is(node, "KambiNavigationInfo")) && !navigation_info_.valid()) {
     navigation_info_ = node;
+  } else if (graph_.is(node, "X3DFogObject") || graph_.is(node, "ScreenEffect")) {
+    context_.diagnostics.report(DiagnosticId::not_drawn, graph_[node].type_span,
+                                fmt::format("a `{}` is not drawn yet", graph_[node].info->name));
   }
 }
 
