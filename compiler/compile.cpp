@@ -32,8 +32,8 @@ class PhaseTimer {
 };
 
 /// The scene file as a document; with `stage`, the stage's statements stand behind the author's.
-std::optional<SourceId> read_scene_file(const std::filesystem::path& path, FileAccess& files, std::string_view stage, SourceSet& sources,
-                                        Diagnostics& diagnostics) {
+std::optional<SourceId> read_scene_file(const std::filesystem::path& path, FileAccess& files, std::string_view stage,
+                                        SourceSet& sources, Diagnostics& diagnostics) {
   FileContent content = files.read(path);
   if (content.status != FileStatus::ok) {
     diagnostics.report(DiagnosticId::file_unreadable, {}, fmt::format("cannot read `{}`", path.string()));
@@ -52,8 +52,8 @@ struct LoadedScene {
   Scene scene;
 };
 
-LoadedScene load_scene(const std::filesystem::path& path, std::string_view stage, const CompileOptions& options, FileAccess& files,
-                       SourceSet& sources, Diagnostics& diagnostics) {
+LoadedScene load_scene(const std::filesystem::path& path, std::string_view stage, const CompileOptions& options,
+                       FileAccess& files, SourceSet& sources, Diagnostics& diagnostics) {
   LoadedScene loaded;
   const auto source = read_scene_file(path, files, stage, sources, diagnostics);
   if (!source) return loaded;
@@ -64,12 +64,13 @@ LoadedScene load_scene(const std::filesystem::path& path, std::string_view stage
   loaded.scene = build_scene(loaded.graph, sources, files, {options.for_lint}, diagnostics);
   loaded.scene.name = path.filename().string();
   // from here shapes know their lights, textures, effects and shadow maps
-  const bool needs_stage = loaded.scene.shapes.empty() && !loaded.scene.effects.empty() && stage.empty() && !options.stage.empty();
+  const bool needs_stage =
+      loaded.scene.shapes.empty() && !loaded.scene.effects.empty() && stage.empty() && !options.stage.empty();
   return needs_stage ? load_scene(path, options.stage, options, files, sources, diagnostics) : std::move(loaded);
 }
 
-SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions& options, Validator& validator, SourceSet& sources,
-                         Diagnostics& diagnostics, Compilation& compilation) {
+SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions& options, Validator& validator,
+                         SourceSet& sources, Diagnostics& diagnostics, Compilation& compilation) {
   CompileStatistics& statistics = compilation.statistics;
   DiskFiles files(options.root.empty() ? default_root(path) : options.root);
   auto timer = std::make_unique<PhaseTimer>(statistics.read);
@@ -109,8 +110,8 @@ Compilation compile(const std::vector<std::filesystem::path>& scenes, const Comp
   return compilation;
 }
 
-std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options, SourceSet& sources,
-                       Diagnostics& diagnostics) {
+std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options,
+                       SourceSet& sources, Diagnostics& diagnostics) {
   DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
   if (stage == "document") {
     const auto source = read_scene_file(scene, files, "", sources, diagnostics);

@@ -20,16 +20,16 @@ namespace plugc {
 
 struct CompileOptions {
   std::vector<Target> targets = {Target::glsl330};
-  std::filesystem::path root;      ///< Folder that scenes may read; empty: default_root() of each.
-  bool for_lint = false;           ///< Every effect, also in branches that are not drawn.
+  std::filesystem::path root;  ///< Folder that scenes may read; empty: default_root() of each.
+  bool for_lint = false;       ///< Every effect, also in branches that are not drawn.
   /// What a file with effects but no shapes is tried on: teapot, sphere, box, plane; empty: nothing is put under it.
   std::string stage;
 };
 
 /// Where the time went, in milliseconds, and how much was made.
 struct CompileStatistics {
-  double read = 0;       ///< Documents and scene.
-  double prepare = 0;    ///< Meshes, images, effect code.
+  double read = 0;     ///< Documents and scene.
+  double prepare = 0;  ///< Meshes, images, effect code.
   double compose = 0;
   double validate = 0;
   double assemble = 0;
@@ -48,7 +48,7 @@ Compilation compile(const std::vector<std::filesystem::path>& scenes, const Comp
                     SourceSet& sources, Diagnostics& diagnostics);
 
 /// What an early phase made of a scene, as text: `document`, `scene` or `recipes`; "" for another name.
-std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options, SourceSet& sources,
-                       Diagnostics& diagnostics);
+std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options,
+                       SourceSet& sources, Diagnostics& diagnostics);
 
 }  // namespace plugc

@@ -63,10 +63,12 @@ void prepare_recipes(PreparedScene& prepared) {
     if (plan.mesh == nullptr) continue;
     const AlphaUse alpha = shape_alpha(parts, shape);
     plan.blended = alpha == AlphaUse::blended;
-    const ShapeFacts facts{!plan.mesh->normals.empty(), !plan.mesh->colors.empty(), plan.mesh->solid, alpha == AlphaUse::tested};
+    const ShapeFacts facts{!plan.mesh->normals.empty(), !plan.mesh->colors.empty(), plan.mesh->solid,
+                           alpha == AlphaUse::tested};
     const Recipe recipe = make_recipe(parts.scene, shape, facts, prepared.effects);
     plan.program = recipe_index(recipe);
-    const bool casts = shape.casts_shadow && !plan.blended && !parts.scene.shadow_maps.empty() && plan.mesh->topology == Topology::triangles;
+    const bool casts =
+        shape.casts_shadow && !plan.blended && !parts.scene.shadow_maps.empty() && plan.mesh->topology == Topology::triangles;
     if (casts) plan.depth_program = recipe_index(make_depth_recipe(recipe, prepared.effects));
   }
   for (const Recipe& recipe : prepared.recipes) parts.program_names.push_back(to_text(recipe, parts.scene));

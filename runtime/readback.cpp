@@ -1,5 +1,5 @@
-// Samples are averaged first. One glReadPixels, then alpha is made opaque here: masking it while drawing would be one more blend state to generate
-// code for.
+// Samples are averaged first. One glReadPixels, then alpha is made opaque here: masking it while drawing would be one more
+// blend state to generate code for.
 
 #include "runtime/readback.h"
 

@@ -35,8 +35,8 @@ struct FrameStatistics {
 
 /// How the context is tuned. Must be decided before the first Renderer of a process.
 struct RendererOptions {
-  bool single_picture = false;   ///< Quick code generation, slower drawing: best below about 60 frames.
-  std::string cache_folder;      ///< Mesa's shader cache (a subfolder a mode); empty: Mesa's default.
+  bool single_picture = false;  ///< Quick code generation, slower drawing: best below about 60 frames.
+  std::string cache_folder;     ///< Mesa's shader cache (a subfolder a mode); empty: Mesa's default.
 };
 
 /// One scene of one package on one context of its own. Not thread-safe; use one per thread.

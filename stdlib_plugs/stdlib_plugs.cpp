@@ -13,7 +13,9 @@ constexpr auto kFiles = std::to_array<StdlibFile>({
 
 }  // namespace
 
-std::span<const StdlibFile> stdlib_files() { return kFiles; }
+std::span<const StdlibFile> stdlib_files() {
+  return kFiles;
+}
 
 std::string_view stdlib_text(std::string_view name) {
   const auto found = std::find_if(kFiles.begin(), kFiles.end(), [&](const StdlibFile& file) { return file.name == name; });

@@ -126,8 +126,9 @@ std::optional<std::string> read_url(FileAccess& files, std::string_view url, con
           fmt::format("`{}` leads outside the folder that this scene may read; `--root DIR` names a wider one", url));
       break;
     case FileStatus::damaged:
-      diagnostics.report(DiagnosticId::file_unreadable, span,
-                         fmt::format("`{}` is gzip-compressed and damaged, or unpacks to more than {} MiB", url, kMaxFileBytes >> 20));
+      diagnostics.report(
+          DiagnosticId::file_unreadable, span,
+          fmt::format("`{}` is gzip-compressed and damaged, or unpacks to more than {} MiB", url, kMaxFileBytes >> 20));
       break;
     case FileStatus::too_large:
       diagnostics.report(DiagnosticId::file_too_large, span,

@@ -29,7 +29,9 @@ bool inflate_all(z_stream& stream, std::string& text, std::size_t limit) {
 
 }  // namespace
 
-bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+bool is_gzip(std::string_view bytes) {
+  return bytes.starts_with("\x1f\x8b");
+}
 
 std::optional<std::string> gunzip(std::string_view bytes, std::size_t limit) {
   z_stream stream = {};

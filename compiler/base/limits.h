@@ -6,21 +6,21 @@
 
 namespace plugc {
 
-inline constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;     ///< One file, read whole.
-inline constexpr std::size_t kMaxSyntaxMistakes = 100;                   ///< Reported in one file; then reading it stops.
-inline constexpr std::size_t kMaxDocumentItems = 8'000'000;              ///< Nodes, fields, strings, statements of one file.
-inline constexpr std::size_t kMaxDiagnostics = 10'000;                   ///< Different things said in one run.
-inline constexpr std::uint32_t kMaxNesting = 512;                        ///< Nodes inside nodes, as written.
-inline constexpr std::uint32_t kMaxInlineDepth = 32;                     ///< Inline inside Inline.
-inline constexpr std::uint32_t kMaxProtoDepth = 64;                      ///< Prototype inside prototype, expanded.
-inline constexpr std::uint32_t kMaxSceneNodes = 2'000'000;               ///< Nodes after expansion.
-inline constexpr std::uint32_t kMaxSceneDepth = 2'000;                   ///< Nodes inside nodes, after expansion.
-inline constexpr std::uint32_t kMaxShapeInstances = 200'000;             ///< Shapes after USE is multiplied out.
-inline constexpr std::size_t kMaxShaderTokens = 200'000;                 ///< Tokens of one shader part.
-inline constexpr std::size_t kMaxStageBytes = std::size_t{4} << 20;      ///< Text of one composed stage.
-inline constexpr std::uint32_t kMaxExpressionNesting = 200;              ///< Brackets inside brackets in one shader.
-inline constexpr std::uint32_t kMaxImageSide = 16'384;                   ///< Pixels along one side of an image.
-inline constexpr std::size_t kMaxMeshVertices = 50'000'000;              ///< Vertices of one mesh.
-inline constexpr std::uint32_t kMaxShadowMapSide = 8'192;                ///< Texels along one side of a shadow map.
+inline constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;  ///< One file, read whole.
+inline constexpr std::size_t kMaxSyntaxMistakes = 100;                ///< Reported in one file; then reading it stops.
+inline constexpr std::size_t kMaxDocumentItems = 8'000'000;           ///< Nodes, fields, strings, statements of one file.
+inline constexpr std::size_t kMaxDiagnostics = 10'000;                ///< Different things said in one run.
+inline constexpr std::uint32_t kMaxNesting = 512;                     ///< Nodes inside nodes, as written.
+inline constexpr std::uint32_t kMaxInlineDepth = 32;                  ///< Inline inside Inline.
+inline constexpr std::uint32_t kMaxProtoDepth = 64;                   ///< Prototype inside prototype, expanded.
+inline constexpr std::uint32_t kMaxSceneNodes = 2'000'000;            ///< Nodes after expansion.
+inline constexpr std::uint32_t kMaxSceneDepth = 2'000;                ///< Nodes inside nodes, after expansion.
+inline constexpr std::uint32_t kMaxShapeInstances = 200'000;          ///< Shapes after USE is multiplied out.
+inline constexpr std::size_t kMaxShaderTokens = 200'000;              ///< Tokens of one shader part.
+inline constexpr std::size_t kMaxStageBytes = std::size_t{4} << 20;   ///< Text of one composed stage.
+inline constexpr std::uint32_t kMaxExpressionNesting = 200;           ///< Brackets inside brackets in one shader.
+inline constexpr std::uint32_t kMaxImageSide = 16'384;                ///< Pixels along one side of an image.
+inline constexpr std::size_t kMaxMeshVertices = 50'000'000;           ///< Vertices of one mesh.
+inline constexpr std::uint32_t kMaxShadowMapSide = 8'192;             ///< Texels along one side of a shadow map.
 
 }  // namespace plugc

@@ -55,8 +55,8 @@ void print_summary(const Compilation& made, const BuildOptions& options, std::si
     fmt::print("  {}\n", program->recipe);
     for (const std::string& plug : program->plugs_filled) fmt::print("    fills {}\n", plug);
   }
-  fmt::print("read {:.1f} ms, prepare {:.1f} ms, compose {:.2f} ms ({} programs), validate {:.1f} ms, assemble {:.1f} ms\n", s.read,
-             s.prepare, s.compose, s.compositions, s.validate, s.assemble);
+  fmt::print("read {:.1f} ms, prepare {:.1f} ms, compose {:.2f} ms ({} programs), validate {:.1f} ms, assemble {:.1f} ms\n",
+             s.read, s.prepare, s.compose, s.compositions, s.validate, s.assemble);
 }
 
 int build(const BuildOptions& options) {
@@ -88,9 +88,10 @@ void add_build_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
   verb->add_option("--depfile", options->depfile, "Also write what the package depends on, for make and ninja");
   add_common_options(*verb, options->common);
-  verb->footer("Programs that are equal are stored once. An effect that does not compile is left out alone, with a message;\n"
-               "the package then holds the rest and the exit status is 1.\n\n"
-               "Example: plugc build scene.x3dv -o scene.plugpack --target glsl330,essl300");
+  verb->footer(
+      "Programs that are equal are stored once. An effect that does not compile is left out alone, with a message;\n"
+      "the package then holds the rest and the exit status is 1.\n\n"
+      "Example: plugc build scene.x3dv -o scene.plugpack --target glsl330,essl300");
   verb->callback([options, &status] { status = build(*options); });
 }
 

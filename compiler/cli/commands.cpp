@@ -32,9 +32,10 @@ auto sort_key(const Diagnostic& diagnostic) {
 }  // namespace
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
-  verb.add_option("--root", options.root,
-                  "Folder that scenes may read files from (default: the nearest one above the scene that holds .plugc.toml or .git, "
-                  "else the current folder where the scene lies in it, else the folder above the scene's own)");
+  verb.add_option(
+      "--root", options.root,
+      "Folder that scenes may read files from (default: the nearest one above the scene that holds .plugc.toml or .git, "
+      "else the current folder where the scene lies in it, else the folder above the scene's own)");
   verb.add_flag("--no-cache", options.no_cache, "Neither read nor write plugc's cache folder");
 }
 
@@ -67,7 +68,8 @@ fs::path cache_folder(std::string_view subfolder) {
 
 int report(const Diagnostics& diagnostics) {
   std::vector<Diagnostic> sorted(diagnostics.all().begin(), diagnostics.all().end());
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) { return sort_key(a) < sort_key(b); });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) { return sort_key(a) < sort_key(b); });
   for (const Diagnostic& diagnostic : sorted) {
     const std::string text = to_text(diagnostic, diagnostics.sources());
     std::fwrite(text.data(), 1, text.size(), stderr);

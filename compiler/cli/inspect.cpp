@@ -32,7 +32,8 @@ void print_stage(const Package& package, const PackedStage& stage) {
   for (std::size_t begin = 0; begin < text.size(); ++line) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const bool known = stage.origins() != nullptr && line < stage.origins()->size();
-    const std::string origin = known ? origin_text(package, *stage.origins()->Get(static_cast<flatbuffers::uoffset_t>(line))) : "";
+    const std::string origin =
+        known ? origin_text(package, *stage.origins()->Get(static_cast<flatbuffers::uoffset_t>(line))) : "";
     fmt::print("{:>26} | {}\n", origin, text.substr(begin, end - begin));
     begin = end + 1;
   }
@@ -83,7 +84,8 @@ int print_program(const Package& package, std::size_t index) {
 }
 
 /// The input as package bytes: read when it is a package, else compiled.
-std::vector<std::uint8_t> input_bytes(const InspectOptions& options, Validator& validator, SourceSet& sources, Diagnostics& diagnostics) {
+std::vector<std::uint8_t> input_bytes(const InspectOptions& options, Validator& validator, SourceSet& sources,
+                                      Diagnostics& diagnostics) {
   std::ifstream stream(options.input, std::ios::binary);
   std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(stream)), {});
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -85,8 +85,9 @@ void add_lint_command(CLI::App& app, int& status) {
       ->delimiter(',')
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
   add_common_options(*verb, options->common);
-  verb->footer("Each message names the author's file, line and column, and a stable code in brackets.\n\n"
-               "Example: plugc lint --format github effects/");
+  verb->footer(
+      "Each message names the author's file, line and column, and a stable code in brackets.\n\n"
+      "Example: plugc lint --format github effects/");
   verb->callback([options, &status] { status = lint(*options); });
 }
 

@@ -12,7 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string dumped(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 void add_place(Json& json, const Span& span, const SourceSet& sources) {
   if (!span.valid()) return;
@@ -46,7 +48,8 @@ Json sarif_location(const Span& span, const SourceSet& sources) {
   const Position end = sources.position(span.source, span.end);
   return {{"physicalLocation",
            {{"artifactLocation", {{"uri", sources.name(span.source)}}},
-            {"region", {{"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}}}}}};
+            {"region",
+             {{"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}}}}}};
 }
 
 std::string sarif_messages(const Diagnostics& diagnostics) {
@@ -72,10 +75,14 @@ std::string sarif_messages(const Diagnostics& diagnostics) {
 std::string github_escaped(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
-    if (c == '%') escaped += "%25";
-    else if (c == '\r') escaped += "%0D";
-    else if (c == '\n') escaped += "%0A";
-    else escaped += c;
+    if (c == '%')
+      escaped += "%25";
+    else if (c == '\r')
+      escaped += "%0D";
+    else if (c == '\n')
+      escaped += "%0A";
+    else
+      escaped += c;
   }
   return escaped;
 }

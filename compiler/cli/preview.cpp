@@ -2,8 +2,8 @@
 // taken down there while the first one writes the picture.
 
 #include <charconv>
-#include <future>
 #include <fstream>
+#include <future>
 #include <memory>
 #include <thread>
 
@@ -55,7 +55,8 @@ struct Drawn {
 };
 
 /// Makes the context at once, then waits for the package. All GL of a renderer happens in one thread, its end too.
-void draw(const RendererOptions& options, const FrameOptions& frame, std::future<const Package*> package, std::promise<Drawn> done) {
+void draw(const RendererOptions& options, const FrameOptions& frame, std::future<const Package*> package,
+          std::promise<Drawn> done) {
   Drawn drawn;
   const std::unique_ptr<Renderer> renderer = Renderer::make(options, drawn.error);
   const Package* loaded = package.get();
@@ -141,17 +142,21 @@ void add_preview_command(CLI::App& app, int& status) {
       ->check(CLI::ExistingFile);
   verb->add_option("-o,--output", options->output, "The picture to write (.png)")->required();
   verb->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
-  verb->add_option("--viewpoint", options->viewpoint,
-                   "DEF name of a Viewpoint, or its number from 0 (default: the first; without any, a view of the whole scene)");
+  verb->add_option(
+      "--viewpoint", options->viewpoint,
+      "DEF name of a Viewpoint, or its number from 0 (default: the first; without any, a view of the whole scene)");
   verb->add_option("--on", options->stage, "What to try effects on when the file has no shapes: teapot, sphere, box, plane")
       ->check(CLI::IsMember({"teapot", "sphere", "box", "plane"}))
       ->capture_default_str();
-  verb->add_option("--samples", options->samples, "Samples a pixel; 4 smooths edges and costs time")->check(CLI::Range(1, 4))->capture_default_str();
+  verb->add_option("--samples", options->samples, "Samples a pixel; 4 smooths edges and costs time")
+      ->check(CLI::Range(1, 4))
+      ->capture_default_str();
   verb->add_flag("--no-shadows", options->no_shadows, "Draw everything lit, to see what shadows do");
   verb->add_flag("--statistics", options->statistics, "Print draw calls, programs and shadow passes");
   add_common_options(*verb, options->common);
-  verb->footer("Draws on the CPU (OSMesa); no display is needed.\n\n"
-               "Example: plugc preview scene.x3dv -o picture.png --size 800x450");
+  verb->footer(
+      "Draws on the CPU (OSMesa); no display is needed.\n\n"
+      "Example: plugc preview scene.x3dv -o picture.png --size 800x450");
   verb->callback([options, &status] { status = preview(*options); });
 }
 

@@ -65,7 +65,8 @@ bool same_parameters(const FunctionOutline& a, const FunctionOutline& b) {
                     [](const Parameter& p, const Parameter& q) { return p.type == q.type && p.array == q.array; });
 }
 
-void NameBinder::report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin, std::string message) {
+void NameBinder::report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin,
+                        std::string message) {
   c_.diagnostics.report(id, name_span(*unit.code, name, begin), std::move(message));
   c_.mark_faulty(unit);
 }
@@ -109,9 +110,10 @@ void NameBinder::bind_input(const PlacedUnit& unit, const GlobalOutline& input) 
   }
   const std::string message =
       candidates.empty()
-          ? fmt::format("nothing writes `{}`; declare it as `varying {} {};` in a `VERTEX` part too and write it there", input.name,
-                        input.type, input.name)
-          : fmt::format("`{}` is read here and written by {} other effects; write it in this one", input.name, candidates.size());
+          ? fmt::format("nothing writes `{}`; declare it as `varying {} {};` in a `VERTEX` part too and write it there",
+                        input.name, input.type, input.name)
+          : fmt::format("`{}` is read here and written by {} other effects; write it in this one", input.name,
+                        candidates.size());
   report(DiagnosticId::varying_unwritten, unit, input.name, input.name_begin, message);
 }
 
@@ -143,7 +145,8 @@ void NameBinder::bind_unit(const PlacedUnit& unit) {
 }
 
 int find_field(const SceneEffect& effect, std::string_view name) {
-  const auto found = std::find_if(effect.fields.begin(), effect.fields.end(), [&](const ShaderField& field) { return field.name == name; });
+  const auto found =
+      std::find_if(effect.fields.begin(), effect.fields.end(), [&](const ShaderField& field) { return field.name == name; });
   return found == effect.fields.end() ? -1 : static_cast<int>(found - effect.fields.begin());
 }
 
@@ -191,6 +194,8 @@ void NameBinder::run() {
 
 }  // namespace
 
-void bind_names(Composition& composition) { NameBinder(composition).run(); }
+void bind_names(Composition& composition) {
+  NameBinder(composition).run();
+}
 
 }  // namespace plugc

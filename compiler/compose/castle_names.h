@@ -16,20 +16,41 @@ enum class CastleKind : std::uint8_t { uniform, attribute, varying, output };
 /// What the value of a castle_ uniform is computed from.
 enum class CastleSource : std::uint8_t {
   none,
-  model_view_matrix, projection_matrix, normal_matrix,
-  material_diffuse_alpha, material_ambient, material_specular, material_emissive, material_shininess, unlit_color,
+  model_view_matrix,
+  projection_matrix,
+  normal_matrix,
+  material_diffuse_alpha,
+  material_ambient,
+  material_specular,
+  material_emissive,
+  material_shininess,
+  unlit_color,
   global_ambient,
-  light_position, light_spot_direction, light_spot_cos_cutoff, light_spot_cutoff, light_beam_width, light_radius,
-  light_color, light_ambient_color, light_attenuation,
-  texture, texture_matrix, shadow_map, projector_matrix, shadow_intensity,
-  camera_matrix, camera_inverse_matrix, camera_rotation_matrix, camera_rotation_inverse_matrix,
+  light_position,
+  light_spot_direction,
+  light_spot_cos_cutoff,
+  light_spot_cutoff,
+  light_beam_width,
+  light_radius,
+  light_color,
+  light_ambient_color,
+  light_attenuation,
+  texture,
+  texture_matrix,
+  shadow_map,
+  projector_matrix,
+  shadow_intensity,
+  camera_matrix,
+  camera_inverse_matrix,
+  camera_rotation_matrix,
+  camera_rotation_inverse_matrix,
 };
 
 struct CastleName {
   CastleKind kind = CastleKind::uniform;
-  std::string_view type;               ///< GLSL type.
+  std::string_view type;  ///< GLSL type.
   CastleSource source = CastleSource::none;
-  int number = -1;                     ///< N of a light, texture or coordinate; -1 for names without one.
+  int number = -1;  ///< N of a light, texture or coordinate; -1 for names without one.
 };
 
 /// What a castle_ name means; nullopt for names that plugc does not feed.

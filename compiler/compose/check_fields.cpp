@@ -25,39 +25,32 @@ void collect(const CodeUnit* unit, Uniforms& uniforms) {
   for (const GlobalOutline& global : unit->outline.globals) {
     if (global.storage != Storage::uniform || global.name.starts_with("castle_")) continue;
     const Span span = unit->span(global.name_begin, global.name_begin + static_cast<std::uint32_t>(global.name.size()));
-    uniforms.try_emplace(unit->written_name(global.name), DeclaredUniform{global.type, span, global.initializer_end > global.initializer_begin});
+    uniforms.try_emplace(unit->written_name(global.name),
+                         DeclaredUniform{global.type, span, global.initializer_end > global.initializer_begin});
   }
 }
 
 const ShaderField* find_field(const SceneEffect& effect, std::string_view name) {
-  const auto found = std::find_if(effect.fields.begin(), effect.fields.end(), [&](const ShaderField& field) { return field.name == name; });
+  const auto found =
+      std::find_if(effect.fields.begin(), effect.fields.end(), [&](const ShaderField& field) { return field.name == name; });
   return found == effect.fields.end() ? nullptr : &*found;
 }
 
 std::string missing_field_message(std::string_view name, const DeclaredUniform& uniform, const SceneEffect& effect) {
   std::vector<std::string_view> names;
   for (const ShaderField& field : effect.fields) names.push_back(field.name);
-  return fmt::format("no field `{}` of `{}` feeds this `uniform {}`{}", name, effect.label, uniform.type, did_you_mean(name, names));
+  return fmt::format("no field `{}` of `{}` feeds this `uniform {}`{}", name, effect.label, uniform.type,
+                     did_you_mean(name, names));
 }
 
 }  // namespace
 
 std::string_view uniform_type(FieldType type) {
-  switch (type) {
-    case FieldType::SFBool: case FieldType::MFBool: return "bool";
-    case FieldType::SFInt32: case FieldType::MFInt32: return "int";
-    case FieldType::SFFloat: case FieldType::MFFloat: case FieldType::SFDouble: case FieldType::MFDouble:
-    case FieldType::SFTime: case FieldType::MFTime: return "float";
-    case FieldType::SFVec2f: case FieldType::MFVec2f: case FieldType::SFVec2d: case FieldType::MFVec2d: return "vec2";
-    case FieldType::SFVec3f: case FieldType::MFVec3f: case FieldType::SFVec3d: case FieldType::MFVec3d:
-    case FieldType::SFColor: case FieldType::MFColor: return "vec3";
-    case FieldType::SFVec4f: case FieldType::MFVec4f: case FieldType::SFVec4d: case FieldType::MFVec4d:
-    case FieldType::SFColorRGBA: case FieldType::MFColorRGBA: case FieldType::SFRotation: case FieldType::MFRotation: return "vec4";
-    case FieldType::SFMatrix3f: case FieldType::MFMatrix3f: case FieldType::SFMatrix3d: case FieldType::MFMatrix3d: return "mat3";
-    case FieldType::SFMatrix4f: case FieldType::MFMatrix4f: case FieldType::SFMatrix4d: case FieldType::MFMatrix4d: return "mat4";
-    case FieldType::SFNode: case FieldType::MFNode: return "sampler2D";
-    default: return "";
-  }
+  if (is_node(type)) return "sampler2D";
+  const auto slot = slot_type(type);
+  if (!slot) return "";
+  constexpr std::string_view kTypes[] = {"bool", "int", "float", "vec2", "vec3", "vec4", "mat3", "mat4", "vec4"};
+  return kTypes[static_cast<std::size_t>(*slot)];
 }
 
 bool feeds(const ShaderField& field, std::string_view glsl_type) {

@@ -14,7 +14,9 @@
 namespace plugc {
 namespace {
 
-Storage varying_storage(ShaderStage stage) { return stage == ShaderStage::vertex ? Storage::out : Storage::in; }
+Storage varying_storage(ShaderStage stage) {
+  return stage == ShaderStage::vertex ? Storage::out : Storage::in;
+}
 
 void report_problems(const CodeUnit& unit, Diagnostics& diagnostics) {
   if (unit.tokens.too_many) {
@@ -65,13 +67,15 @@ std::string_view plug_name(std::string_view function_name) {
 }
 
 std::string_view CodeUnit::written_name(std::string_view name) const {
-  const auto found = std::find_if(renamed_names.begin(), renamed_names.end(), [&](const RenamedName& r) { return r.renamed == name; });
+  const auto found =
+      std::find_if(renamed_names.begin(), renamed_names.end(), [&](const RenamedName& r) { return r.renamed == name; });
   return found == renamed_names.end() ? name : std::string_view(found->written);
 }
 
 std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage, Target target) {
   static const std::vector<MacroDefinition> kEssl = {{"GL_ES", "1"}, {"__VERSION__", "300"}};
-  const auto predefined = target == Target::essl300 ? std::span<const MacroDefinition>(kEssl) : std::span<const MacroDefinition>();
+  const auto predefined =
+      target == Target::essl300 ? std::span<const MacroDefinition>(kEssl) : std::span<const MacroDefinition>();
   auto unit = std::make_shared<CodeUnit>();
   UpgradedText upgraded = upgrade(text, stage, predefined);
   unit->text = std::move(upgraded.text);
@@ -82,7 +86,9 @@ std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderSta
   return unit;
 }
 
-bool EffectCode::fills(std::string_view plug) const { return std::binary_search(plugs.begin(), plugs.end(), plug); }
+bool EffectCode::fills(std::string_view plug) const {
+  return std::binary_search(plugs.begin(), plugs.end(), plug);
+}
 
 bool EffectCode::uses(std::string_view castle_name) const {
   return std::binary_search(castle_names.begin(), castle_names.end(), castle_name);

@@ -17,10 +17,10 @@ namespace plugc {
 
 struct CodeUnit {
   MappedText text;
-  std::vector<std::string> castle_names;  ///< castle_ names that the text uses, declared or not.
-  std::vector<RenamedName> renamed_names; ///< Names that upgrading had to change.
+  std::vector<std::string> castle_names;   ///< castle_ names that the text uses, declared or not.
+  std::vector<RenamedName> renamed_names;  ///< Names that upgrading had to change.
   TokenList tokens;
-  Outline outline;                        ///< Points into `text`, so a unit is never moved once made.
+  Outline outline;  ///< Points into `text`, so a unit is never moved once made.
 
   CodeUnit() = default;
   CodeUnit(const CodeUnit&) = delete;
@@ -49,7 +49,7 @@ struct EffectCode {
 
     const Part& form(Target target) const { return target == Target::essl300 && for_essl ? *for_essl : *this; }
   };
-  std::vector<Part> parts;  ///< Each EffectPart node once, however often it is USEd.
+  std::vector<Part> parts;                ///< Each EffectPart node once, however often it is USEd.
   std::vector<std::string> plugs;         ///< That some part fills: sorted, each once.
   std::vector<std::string> castle_names;  ///< That some part uses: sorted, each once.
 

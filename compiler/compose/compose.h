@@ -26,12 +26,12 @@ struct ComposeInput {
 
 /// A uniform that an author's field feeds.
 struct FieldUniform {
-  std::string name;       ///< In the composed text.
-  std::string type;       ///< GLSL type as declared.
-  int owner = -1;         ///< Into Scene::effects, or Scene::shaders when `of_shader`.
+  std::string name;  ///< In the composed text.
+  std::string type;  ///< GLSL type as declared.
+  int owner = -1;    ///< Into Scene::effects, or Scene::shaders when `of_shader`.
   bool of_shader = false;
-  int field = -1;         ///< Into its fields; -1: no field feeds it.
-  Span span;              ///< Of the uniform's name.
+  int field = -1;  ///< Into its fields; -1: no field feeds it.
+  Span span;       ///< Of the uniform's name.
 };
 
 struct ComposedStage {
@@ -42,10 +42,10 @@ struct ComposedStage {
 struct ComposedProgram {
   std::vector<ComposedStage> stages;
   std::vector<FieldUniform> fields;
-  std::vector<std::string> plugs_filled;   ///< Plugs that effects filled, sorted.
-  std::vector<std::string> plugs_empty;    ///< The other plugs that the program offers, sorted.
-  std::vector<int> faulty_effects;         ///< Effects that cannot stay in (reported); compose again without them.
-  bool faulty_shader = false;              ///< The ComposedShader cannot be used (reported).
+  std::vector<std::string> plugs_filled;  ///< Plugs that effects filled, sorted.
+  std::vector<std::string> plugs_empty;   ///< The other plugs that the program offers, sorted.
+  std::vector<int> faulty_effects;        ///< Effects that cannot stay in (reported); compose again without them.
+  bool faulty_shader = false;             ///< The ComposedShader cannot be used (reported).
 };
 
 /// Composes for one target. Mistakes of the authors are reported; the same mistake is said once (see Diagnostics).

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "compose/placed_unit.h"
-#include "glsl/scan.h"
 #include "compose/struct_text.h"
+#include "glsl/scan.h"
 #include "glsl/tokens.h"
 
 namespace plugc {
@@ -21,7 +21,9 @@ struct DeclaredName {
   const StructOutline* type = nullptr;
 };
 
-bool is_castle(std::string_view name) { return name.starts_with("castle_"); }
+bool is_castle(std::string_view name) {
+  return name.starts_with("castle_");
+}
 bool is_attribute(const PlacedUnit& unit, const GlobalOutline& global) {
   return unit.stage == ShaderStage::vertex && global.storage == Storage::in;
 }
@@ -118,7 +120,9 @@ void OwnerNamer::run() {
 
 }  // namespace
 
-void name_owners(Composition& composition) { OwnerNamer(composition).run(); }
+void name_owners(Composition& composition) {
+  OwnerNamer(composition).run();
+}
 
 bool TakenNames::is_free(std::string_view name, StageMask stages, std::size_t owner) const {
   for (std::size_t stage = 0; stage < kStageCount; ++stage) {

@@ -64,9 +64,15 @@ void Placer::add_template(std::string_view name, ShaderStage stage, const Featur
 Features Placer::base_features() const {
   Features features;
   const std::pair<bool, std::string_view> all[] = {
-      {recipe_.lit, "LIT"}, {!recipe_.lit, "UNLIT"}, {recipe_.normals, "NORMALS"}, {recipe_.two_sided, "TWO_SIDED"},
-      {recipe_.color_per_vertex, "COLOR_PER_VERTEX"}, {recipe_.vertex_eye, "VERTEX_EYE"}, {recipe_.ambient, "AMBIENT"},
-      {recipe_.specular, "SPECULAR"}, {recipe_.emissive, "EMISSIVE"},
+      {recipe_.lit, "LIT"},
+      {!recipe_.lit, "UNLIT"},
+      {recipe_.normals, "NORMALS"},
+      {recipe_.two_sided, "TWO_SIDED"},
+      {recipe_.color_per_vertex, "COLOR_PER_VERTEX"},
+      {recipe_.vertex_eye, "VERTEX_EYE"},
+      {recipe_.ambient, "AMBIENT"},
+      {recipe_.specular, "SPECULAR"},
+      {recipe_.emissive, "EMISSIVE"},
       {(recipe_.normals && !recipe_.gouraud) || effects_use("castle_normal_eye"), "NORMAL_EYE"}};
   for (const auto& [set, name] : all) {
     if (set) features.insert(name);
@@ -76,10 +82,14 @@ Features Placer::base_features() const {
 
 Features Placer::light_features(const LightRecipe& light) const {
   Features features;
-  const std::pair<bool, std::string_view> all[] = {
-      {light.kind != LightKind::directional, "POSITIONAL"}, {light.kind == LightKind::spot, "SPOT"},
-      {light.ambient, "LIGHT_AMBIENT"}, {light.attenuation, "ATTENUATION"}, {light.radius, "RADIUS"},
-      {light.beam_width, "BEAM_WIDTH"}, {recipe_.specular, "SPECULAR"}, {!base_adds_lights_, "AS_CONTRIBUTION"}};
+  const std::pair<bool, std::string_view> all[] = {{light.kind != LightKind::directional, "POSITIONAL"},
+                                                   {light.kind == LightKind::spot, "SPOT"},
+                                                   {light.ambient, "LIGHT_AMBIENT"},
+                                                   {light.attenuation, "ATTENUATION"},
+                                                   {light.radius, "RADIUS"},
+                                                   {light.beam_width, "BEAM_WIDTH"},
+                                                   {recipe_.specular, "SPECULAR"},
+                                                   {!base_adds_lights_, "AS_CONTRIBUTION"}};
   for (const auto& [set, name] : all) {
     if (set) features.insert(name);
   }
@@ -99,7 +109,8 @@ bool Placer::place_shader() {
   const auto index = static_cast<std::size_t>(recipe_.shader);
   const EffectCode& code = c_.input.shaders[index];
   const auto has = [&](auto member) {
-    return std::any_of(code.parts.begin(), code.parts.end(), [&](const EffectCode::Part& part) { return part.*member != nullptr; });
+    return std::any_of(code.parts.begin(), code.parts.end(),
+                       [&](const EffectCode::Part& part) { return part.*member != nullptr; });
   };
   if (!has(&EffectCode::Part::in_vertex) || !has(&EffectCode::Part::in_fragment)) {
     c_.diagnostics.report(DiagnosticId::shader_without_stage, c_.input.scene.shaders[index].span,
@@ -138,7 +149,8 @@ void Placer::place_texture(int number) {
   constexpr std::string_view kModes[] = {"MODE_MODULATE", "MODE_REPLACE", "MODE_ADD"};
   features.insert(kModes[static_cast<std::size_t>(texture.mode)]);
   if (number == 0) features.insert("FIRST_UNIT");
-  add_template("texture.vert", ShaderStage::vertex, texture.matrix ? Features{"TEXTURE_MATRIX"} : Features{}, {ScopeKind::texture, number});
+  add_template("texture.vert", ShaderStage::vertex, texture.matrix ? Features{"TEXTURE_MATRIX"} : Features{},
+               {ScopeKind::texture, number});
   add_template("texture.frag", ShaderStage::fragment, features, {ScopeKind::texture, number});
 }
 
@@ -207,6 +219,8 @@ void Placer::place() {
 
 }  // namespace
 
-void place_units(Composition& composition) { Placer(composition).place(); }
+void place_units(Composition& composition) {
+  Placer(composition).place();
+}
 
 }  // namespace plugc

@@ -27,7 +27,7 @@ struct Scope {
 
 struct Owner {
   OwnerKind kind = OwnerKind::renderer;
-  int index = -1;                              ///< Into Scene::effects or Scene::shaders.
+  int index = -1;  ///< Into Scene::effects or Scene::shaders.
   std::map<std::string, std::string, std::less<>> renames;
 };
 
@@ -35,23 +35,25 @@ struct Owner {
 struct PlugCall {
   std::size_t unit = 0;
   std::size_t function = 0;
-  bool rgb_only = false;                        ///< A vec3 function at a vec4 marker: it gets `.rgb` of the first argument.
+  bool rgb_only = false;  ///< A vec3 function at a vec4 marker: it gets `.rgb` of the first argument.
 };
 
 struct PlacedUnit {
   std::shared_ptr<const CodeUnit> code;
   ShaderStage stage = ShaderStage::vertex;
-  std::size_t owner = 0;                        ///< Into Composition::owners; 0 is the renderer.
+  std::size_t owner = 0;  ///< Into Composition::owners; 0 is the renderer.
   Scope scope;
-  bool of_shadow = false;                       ///< Without it the shape merely shows no shadow of its light.
-  bool dropped = false;                         ///< A piece of the renderer whose plugs the base shader lacks.
-  std::vector<std::string> function_names;      ///< Final names of plug functions by function; others are empty.
-  std::vector<std::vector<PlugCall>> calls;     ///< By marker.
+  bool of_shadow = false;                    ///< Without it the shape merely shows no shadow of its light.
+  bool dropped = false;                      ///< A piece of the renderer whose plugs the base shader lacks.
+  std::vector<std::string> function_names;   ///< Final names of plug functions by function; others are empty.
+  std::vector<std::vector<PlugCall>> calls;  ///< By marker.
 };
 
 /// The stages in which a name counts.
 using StageMask = unsigned;
-constexpr StageMask in_stage(ShaderStage stage) { return 1U << static_cast<unsigned>(stage); }
+constexpr StageMask in_stage(ShaderStage stage) {
+  return 1U << static_cast<unsigned>(stage);
+}
 inline constexpr StageMask kAllStages = (1U << kStageCount) - 1;
 
 /// The names that are taken, and by whom.
@@ -66,8 +68,8 @@ class TakenNames {
  private:
   const std::unordered_set<std::string_view>& words_of(std::size_t owner, const std::vector<PlacedUnit>& units);
   std::array<std::unordered_map<std::string_view, std::size_t>, kStageCount> owners_;
-  std::vector<std::unique_ptr<const std::string>> kept_;                     // what the keys above point into
-  std::unordered_map<std::string, int> next_number_;                         // so that a thousand equal names stay cheap
+  std::vector<std::unique_ptr<const std::string>> kept_;  // what the keys above point into
+  std::unordered_map<std::string, int> next_number_;      // so that a thousand equal names stay cheap
   std::unordered_map<std::size_t, std::unordered_set<std::string_view>> words_;
 };
 
@@ -81,7 +83,7 @@ struct Composition {
   Diagnostics& diagnostics;
   ComposedProgram& result;
   std::vector<Owner> owners = {Owner{}};
-  std::vector<PlacedUnit> units;                ///< In call order, which is also text order within a stage.
+  std::vector<PlacedUnit> units;  ///< In call order, which is also text order within a stage.
   TakenNames taken;
 
   const SceneEffect& author(const Owner& owner) const {

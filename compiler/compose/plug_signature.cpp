@@ -10,7 +10,9 @@
 namespace plugc {
 namespace {
 
-bool is_sampler(std::string_view type) { return type.find("sampler") != std::string_view::npos; }
+bool is_sampler(std::string_view type) {
+  return type.find("sampler") != std::string_view::npos;
+}
 
 bool parameter_fits(const Parameter& parameter, const PlugParameter& plug, bool per_light_color) {
   const bool direction_fits = parameter.direction == Direction::in || plug.direction == "inout";
@@ -60,7 +62,9 @@ std::string_view argument_type(const CodeUnit& code, const MarkerOutline& marker
 
 }  // namespace
 
-bool is_per_light_color(std::string_view plug) { return plug == "material_light_ambient" || plug == "material_light_specular"; }
+bool is_per_light_color(std::string_view plug) {
+  return plug == "material_light_ambient" || plug == "material_light_specular";
+}
 
 bool fits_plug(const FunctionOutline& function, const PlugInfo& plug) {
   std::vector<PlugParameter> wanted = plug.parameters;

@@ -21,9 +21,9 @@ struct PlugParameter {
 struct PlugInfo {
   std::string_view name;
   PlugStage stage = PlugStage::vertex;
-  std::string_view signature;       ///< The parameters as text.
+  std::string_view signature;  ///< The parameters as text.
   std::vector<PlugParameter> parameters;
-  std::string_view replaced_by;     ///< For an old name: the plug to use instead.
+  std::string_view replaced_by;  ///< For an old name: the plug to use instead.
   std::string_view when;
 };
 

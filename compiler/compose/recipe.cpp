@@ -86,15 +86,14 @@ LightRecipe RecipeMaker::light(int index) const {
 }
 
 bool RecipeMaker::needs_vertex_eye(const Recipe& recipe) const {
-  const bool by_lights = !recipe.gouraud && recipe.lit &&
-                         (recipe.specular || std::any_of(recipe.lights.begin(), recipe.lights.end(), [](const LightRecipe& light) {
-                            return light.kind != LightKind::directional;
-                          }));
+  const bool by_lights =
+      !recipe.gouraud && recipe.lit &&
+      (recipe.specular || std::any_of(recipe.lights.begin(), recipe.lights.end(),
+                                      [](const LightRecipe& light) { return light.kind != LightKind::directional; }));
   constexpr std::string_view kReaders[] = {"fragment_eye_space", "lighting_apply", "material_light_diffuse", "add_light",
                                            "add_light_contribution"};
-  const bool by_plugs = !recipe.gouraud && std::any_of(std::begin(kReaders), std::end(kReaders), [&](std::string_view plug) {
-    return any_fills(plug);
-  });
+  const bool by_plugs = !recipe.gouraud && std::any_of(std::begin(kReaders), std::end(kReaders),
+                                                       [&](std::string_view plug) { return any_fills(plug); });
   return by_lights || by_plugs || any_effect([](const EffectCode& code) { return code.uses("castle_vertex_eye"); });
 }
 
@@ -140,7 +139,8 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
                                  [&](int effect) { return code(effect).fills("vertex_object_space_change"); });
   for (const int effect : recipe.effects) {  // those that move nothing may still define what the movers call
     const auto& parts = code(effect).parts;
-    const bool in_vertex = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.stage == PartStage::vertex; });
+    const bool in_vertex =
+        std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.stage == PartStage::vertex; });
     if (moves && in_vertex) depth.effects.push_back(effect);
   }
   depth.normals = recipe.normals && !depth.effects.empty();
@@ -149,10 +149,12 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
 
 std::string to_text(const Recipe& recipe, const Scene& scene) {
   std::string text = recipe.depth_only ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
-  const std::pair<bool, std::string_view> flags[] = {
-      {!recipe.depth_only && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
-      {recipe.specular, " specular"}, {recipe.emissive, " emissive"}, {recipe.two_sided, " two_sided"},
-      {recipe.color_per_vertex, " color_per_vertex"}, {recipe.alpha_test, " alpha_test"}};
+  const std::pair<bool, std::string_view> flags[] = {{!recipe.depth_only && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
+                                                     {recipe.specular, " specular"},
+                                                     {recipe.emissive, " emissive"},
+                                                     {recipe.two_sided, " two_sided"},
+                                                     {recipe.color_per_vertex, " color_per_vertex"},
+                                                     {recipe.alpha_test, " alpha_test"}};
   for (const auto& [set, word] : flags) {
     if (set) text += word;
   }
@@ -160,9 +162,9 @@ std::string to_text(const Recipe& recipe, const Scene& scene) {
   constexpr std::string_view kKinds[] = {"directional", "point", "spot"};
   for (const LightRecipe& light : recipe.lights) {
     text += fmt::format("; light {}", kKinds[static_cast<std::size_t>(light.kind)]);
-    const std::pair<bool, std::string_view> terms[] = {{light.ambient, " ambient"}, {light.attenuation, " attenuation"},
-                                                       {light.radius, " radius"}, {light.beam_width, " beam_width"},
-                                                       {light.shadow, " shadow"}, {light.shadow_intensity, " shadow_intensity"}};
+    const std::pair<bool, std::string_view> terms[] = {
+        {light.ambient, " ambient"},       {light.attenuation, " attenuation"}, {light.radius, " radius"},
+        {light.beam_width, " beam_width"}, {light.shadow, " shadow"},           {light.shadow_intensity, " shadow_intensity"}};
     for (const auto& [set, word] : terms) {
       if (set) text += word;
     }

@@ -14,13 +14,13 @@ namespace plugc {
 
 struct LightRecipe {
   LightKind kind = LightKind::directional;
-  bool ambient = false;        ///< The light's and the material's ambient colours may both differ from black.
+  bool ambient = false;  ///< The light's and the material's ambient colours may both differ from black.
   bool attenuation = false;
   bool radius = false;
   bool beam_width = false;
   bool shadow = false;
   bool shadow_intensity = false;  ///< Something else than full shadow.
-  std::vector<int> effects;    ///< Into Scene::effects.
+  std::vector<int> effects;       ///< Into Scene::effects.
   auto operator<=>(const LightRecipe&) const = default;
 };
 
@@ -32,16 +32,16 @@ struct TextureRecipe {
 };
 
 struct Recipe {
-  bool depth_only = false;     ///< The program of a shadow pass.
+  bool depth_only = false;  ///< The program of a shadow pass.
   bool gouraud = false;
   bool lit = false;
-  bool normals = false;        ///< The mesh has normals and something reads them.
+  bool normals = false;  ///< The mesh has normals and something reads them.
   bool two_sided = false;
   bool color_per_vertex = false;
   bool alpha_test = false;
   bool ambient = false, specular = false, emissive = false;
-  bool vertex_eye = false;     ///< Lighting or an effect reads the eye-space position per fragment.
-  int shader = -1;             ///< A ComposedShader in place of the base shader.
+  bool vertex_eye = false;              ///< Lighting or an effect reads the eye-space position per fragment.
+  int shader = -1;                      ///< A ComposedShader in place of the base shader.
   std::vector<LightRecipe> lights;      ///< Number N of a light is its place here.
   std::vector<TextureRecipe> textures;  ///< Number N of a texture is its place here.
   std::vector<int> effects;             ///< Of the Appearance, then of the groups.
@@ -53,7 +53,7 @@ struct ShapeFacts {
   bool has_normals = true;
   bool has_colors = false;
   bool solid = true;
-  bool alpha_test = false;     ///< Some texture's alpha is all or nothing, and the shape is not blended.
+  bool alpha_test = false;  ///< Some texture's alpha is all or nothing, and the shape is not blended.
 };
 
 /// `codes` holds the outlined effects of the scene, by index.

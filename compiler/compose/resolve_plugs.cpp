@@ -47,7 +47,9 @@ class PlugResolver {
               std::vector<RelatedPlace> related = {}) const;
   void list_plugs() const;
   void note_missing_shadows() const;
-  const MarkerOutline& marker_at(const MarkerPlace& place) const { return c_.units[place.unit].code->outline.markers[place.marker]; }
+  const MarkerOutline& marker_at(const MarkerPlace& place) const {
+    return c_.units[place.unit].code->outline.markers[place.marker];
+  }
   Span marker_span(const MarkerPlace& place) const {
     return c_.units[place.unit].code->span(marker_at(place).begin, marker_at(place).end);
   }
@@ -60,13 +62,16 @@ class PlugResolver {
   std::size_t call_bytes_ = 0;
 };
 
-bool is_in_function(const MarkerOutline& marker) { return marker.enclosing_function != UINT32_MAX; }
+bool is_in_function(const MarkerOutline& marker) {
+  return marker.enclosing_function != UINT32_MAX;
+}
 
 void PlugResolver::index_markers() {
   for (std::size_t u = 0; u < c_.units.size(); ++u) {
     const auto& markers = c_.units[u].code->outline.markers;
     for (std::size_t m = 0; m < markers.size(); ++m) {
-      if (markers[m].kind == MarkerKind::plug && is_in_function(markers[m])) markers_[{c_.units[u].stage, markers[m].name}].push_back({u, m});
+      if (markers[m].kind == MarkerKind::plug && is_in_function(markers[m]))
+        markers_[{c_.units[u].stage, markers[m].name}].push_back({u, m});
     }
   }
 }
@@ -111,7 +116,8 @@ CallResult PlugResolver::add_call(std::size_t index, std::size_t f, const Marker
     c_.mark_faulty(unit);
     return CallResult::misfit;
   }
-  const bool rgb_only = is_per_light_color(marker.name) && !function.parameters.empty() && function.parameters.front().type == "vec3";
+  const bool rgb_only =
+      is_per_light_color(marker.name) && !function.parameters.empty() && function.parameters.front().type == "vec3";
   c_.units[place.unit].calls[place.marker].push_back({index, f, rgb_only});
   return CallResult::called;
 }
@@ -140,9 +146,10 @@ CallResult PlugResolver::call_at(std::size_t index, std::size_t f, const MarkerP
   const MarkerOutline& marker = marker_at(place);
   const bool overloaded = definitions_[function.name] > 1;
   if (fits_marker(function, target, marker, overloaded)) return add_call(index, f, place);
-  const bool for_another = std::any_of(code.outline.functions.begin(), code.outline.functions.end(), [&](const FunctionOutline& other) {
-    return other.name == function.name && other.is_definition() && fits_marker(other, target, marker, overloaded);
-  });
+  const bool for_another =
+      std::any_of(code.outline.functions.begin(), code.outline.functions.end(), [&](const FunctionOutline& other) {
+        return other.name == function.name && other.is_definition() && fits_marker(other, target, marker, overloaded);
+      });
   if (for_another) return CallResult::for_overload;
   if (marker.name == "texture_color") return CallResult::other_texture;
   report_misfit(unit, function, place);
@@ -155,11 +162,13 @@ void PlugResolver::report_unknown(const PlacedUnit& unit, const FunctionOutline&
     for (const MarkerOutline& marker : other.code->outline.markers) {
       if (marker.kind != MarkerKind::plug || marker.name != name || !is_in_function(marker)) continue;
       const bool later = other.stage == unit.stage;
-      return report(later ? DiagnosticId::effect_unknown_plug : DiagnosticId::effect_wrong_stage, unit, function,
-                    later ? fmt::format("plug `{}` is offered only behind this function; a plug of an effect serves what comes later", name)
-                          : fmt::format("plug `{}` is called in the {} stage, not in the {} stage", name, to_text(other.stage),
-                                        to_text(unit.stage)),
-                    {{other.code->span(marker.begin, marker.end), "the plug stands here"}});
+      return report(
+          later ? DiagnosticId::effect_unknown_plug : DiagnosticId::effect_wrong_stage, unit, function,
+          later
+              ? fmt::format("plug `{}` is offered only behind this function; a plug of an effect serves what comes later", name)
+              : fmt::format("plug `{}` is called in the {} stage, not in the {} stage", name, to_text(other.stage),
+                            to_text(unit.stage)),
+          {{other.code->span(marker.begin, marker.end), "the plug stands here"}});
     }
   }
   std::vector<std::string_view> known(plug_names().begin(), plug_names().end());
@@ -177,8 +186,9 @@ void PlugResolver::report_absent_or_wrong_stage(const PlacedUnit& unit, const Fu
            fmt::format("plug `{}` is not called in a {} stage; put it into a part of type `{}`", plug.name, to_text(unit.stage),
                        to_text(plug.stage)));
   } else {
-    report(DiagnosticId::effect_plug_absent, unit, function,
-           fmt::format("plug `{}` is not called for every shape that uses this effect (it is called {})", plug.name, plug.when));
+    report(
+        DiagnosticId::effect_plug_absent, unit, function,
+        fmt::format("plug `{}` is not called for every shape that uses this effect (it is called {})", plug.name, plug.when));
   }
 }
 
@@ -188,7 +198,8 @@ void PlugResolver::report_unreached(const PlacedUnit& unit, const FunctionOutlin
   plug == nullptr ? report_unknown(unit, function) : report_absent_or_wrong_stage(unit, function, *plug);
 }
 
-/// What can be said of an author's function without looking at each marker. A marker of the templates, or none, goes by the table.
+/// What can be said of an author's function without looking at each marker. A marker of the templates, or none, goes by the
+/// table.
 bool PlugResolver::is_sound(const PlacedUnit& unit, const FunctionOutline& function, const std::vector<MarkerPlace>& markers) {
   if (function.return_type != "void") {
     report(DiagnosticId::effect_plug_not_void, unit, function,
@@ -199,7 +210,8 @@ bool PlugResolver::is_sound(const PlacedUnit& unit, const FunctionOutline& funct
   if (plug == nullptr) return true;
   if (!plug->replaced_by.empty()) {
     report(DiagnosticId::effect_deprecated_plug, unit, function,
-           fmt::format("plug `{}` is an old name; use `{}` (or `fragment_modify` for the final colour)", plug->name, plug->replaced_by));
+           fmt::format("plug `{}` is an old name; use `{}` (or `fragment_modify` for the final colour)", plug->name,
+                       plug->replaced_by));
   }
   const bool by_table = markers.empty() || std::any_of(markers.begin(), markers.end(), [&](const MarkerPlace& place) {
                           return !c_.by_author(c_.units[place.unit]);
@@ -234,7 +246,8 @@ void PlugResolver::resolve_function(std::size_t index, std::size_t f) {
   give_name(unit, f);
   if (by_author && !is_sound(unit, function, markers)) return c_.mark_faulty(unit);
   std::set<CallResult> results;
-  for (std::size_t m = 0; m < markers.size() && !results.contains(CallResult::misfit); ++m) results.insert(call_at(index, f, markers[m]));
+  for (std::size_t m = 0; m < markers.size() && !results.contains(CallResult::misfit); ++m)
+    results.insert(call_at(index, f, markers[m]));
   if (!by_author || results.contains(CallResult::misfit)) return;
   if (results.contains(CallResult::called)) filled_.emplace(name);
   const bool of_use = results.contains(CallResult::called) || results.contains(CallResult::for_overload);
@@ -257,7 +270,8 @@ void PlugResolver::resolve_unit(std::size_t index) {
 void PlugResolver::list_plugs() const {
   std::set<std::string, std::less<>> empty;
   for (const auto& [key, places] : markers_) {
-    const bool offered = std::any_of(places.begin(), places.end(), [&](const MarkerPlace& place) { return !c_.units[place.unit].dropped; });
+    const bool offered =
+        std::any_of(places.begin(), places.end(), [&](const MarkerPlace& place) { return !c_.units[place.unit].dropped; });
     if (offered && !filled_.contains(key.second)) empty.emplace(key.second);
   }
   c_.result.plugs_filled.assign(filled_.begin(), filled_.end());
@@ -273,8 +287,9 @@ void PlugResolver::note_missing_shadows() const {
     return !unit.dropped && unit.of_shadow && unit.stage == ShaderStage::fragment;
   });
   if (shown) return;
-  c_.diagnostics.report(DiagnosticId::composed_shader_no_shadows, c_.input.scene.shaders[static_cast<std::size_t>(c_.recipe.shader)].span,
-                        "this `ComposedShader` shows no shadow: it has no plug `add_light_contribution` that the shadowed light could fill");
+  c_.diagnostics.report(
+      DiagnosticId::composed_shader_no_shadows, c_.input.scene.shaders[static_cast<std::size_t>(c_.recipe.shader)].span,
+      "this `ComposedShader` shows no shadow: it has no plug `add_light_contribution` that the shadowed light could fill");
 }
 
 void PlugResolver::resolve() {
@@ -286,6 +301,8 @@ void PlugResolver::resolve() {
 
 }  // namespace
 
-void resolve_plugs(Composition& composition) { PlugResolver(composition).resolve(); }
+void resolve_plugs(Composition& composition) {
+  PlugResolver(composition).resolve();
+}
 
 }  // namespace plugc

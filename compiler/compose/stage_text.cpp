@@ -120,8 +120,9 @@ MappedText HeadWriter::write() {
   write_version();
   write_extensions();
   if (c_.target == Target::essl300) {
-    head_.append_generated("precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DShadow;\n"
-                           "precision highp samplerCube;\nprecision highp samplerCubeShadow;\nprecision highp sampler3D;\n");
+    head_.append_generated(
+        "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DShadow;\n"
+        "precision highp samplerCube;\nprecision highp samplerCubeShadow;\nprecision highp sampler3D;\n");
   }
   write_castle_names();
   return std::move(head_);

@@ -9,7 +9,8 @@ namespace plugc {
 std::string token_line(const CodeUnit& code, std::uint32_t begin, std::uint32_t end) {
   const auto& tokens = code.tokens.tokens;
   std::string line;
-  auto token = std::lower_bound(tokens.begin(), tokens.end(), begin, [](const Token& t, std::uint32_t at) { return t.begin < at; });
+  auto token =
+      std::lower_bound(tokens.begin(), tokens.end(), begin, [](const Token& t, std::uint32_t at) { return t.begin < at; });
   for (; token != tokens.end() && token->end <= end; ++token) {
     if (token->kind == TokenKind::marker) continue;
     if (!line.empty()) line += ' ';

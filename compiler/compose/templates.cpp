@@ -1,6 +1,6 @@
-// Cutting goes from directive to directive with a stack of "is this branch taken"; numbering goes from one capital N to the next. Templates
-// are in GLSL 3.30 with castle_ names already (a test holds them to it), so they are not upgraded as authors' texts are:
-// that took a quarter of all composing.
+// Cutting goes from directive to directive with a stack of "is this branch taken"; numbering goes from one capital N to the
+// next. Templates are in GLSL 3.30 with castle_ names already (a test holds them to it), so they are not upgraded as authors'
+// texts are: that took a quarter of all composing.
 
 #include "compose/templates.h"
 
@@ -46,8 +46,10 @@ void obey_directive(std::string_view line, const Features& features, Branches& b
     branches.taken.push_back(!features.contains(directive_name(line, "#ifndef")));
   } else {
     PLUGC_CHECK(!branches.taken.empty(), "#else and #endif have their #ifdef");
-    if (line.starts_with("#endif")) branches.taken.pop_back();
-    else branches.taken.back() = !branches.taken.back();
+    if (line.starts_with("#endif"))
+      branches.taken.pop_back();
+    else
+      branches.taken.back() = !branches.taken.back();
   }
 }
 
@@ -58,7 +60,8 @@ constexpr std::string_view kWordCharacters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefgh
 std::size_t number_place(std::string_view name) {
   for (std::size_t at = name.find('N'); at != std::string_view::npos; at = name.find('N', at + 1)) {
     const std::string_view before = name.substr(0, at);
-    const bool behind = before.ends_with("Source") || before.ends_with("Coord") || before.ends_with("Matrix") || before.ends_with('_');
+    const bool behind =
+        before.ends_with("Source") || before.ends_with("Coord") || before.ends_with("Matrix") || before.ends_with('_');
     const bool ends = at + 1 == name.size() || std::isupper(static_cast<unsigned char>(name[at + 1])) != 0;
     if (behind && ends && before.size() > 1) return at;
   }
@@ -70,7 +73,8 @@ void note_castle_names(CodeUnit& unit, std::span<const Token> tokens) {
   for (const Token& token : tokens) {
     const std::string_view name = unit.at(token);
     const bool is_castle = token.kind == TokenKind::identifier && name.starts_with("castle_");
-    if (is_castle && std::ranges::find(unit.castle_names, name) == unit.castle_names.end()) unit.castle_names.emplace_back(name);
+    if (is_castle && std::ranges::find(unit.castle_names, name) == unit.castle_names.end())
+      unit.castle_names.emplace_back(name);
   }
 }
 
@@ -129,13 +133,14 @@ MappedText number_names(const MappedText& text, int number) {
 
 SourceId TemplateLibrary::source(std::string_view name) {
   if (const auto found = loaded_.find(name); found != loaded_.end()) return found->second;
-  const SourceId id = sources_->add(fmt::format("plugc:/templates/{}", name),
-                                    std::string(stdlib_text(fmt::format("templates/{}", name))));
+  const SourceId id =
+      sources_->add(fmt::format("plugc:/templates/{}", name), std::string(stdlib_text(fmt::format("templates/{}", name))));
   loaded_.emplace(name, id);
   return id;
 }
 
-std::shared_ptr<const CodeUnit> TemplateLibrary::get(std::string_view name, ShaderStage stage, const Features& features, int number) {
+std::shared_ptr<const CodeUnit> TemplateLibrary::get(std::string_view name, ShaderStage stage, const Features& features,
+                                                     int number) {
   const auto [found, added] = made_.try_emplace(Key{std::string(name), stage, features, number});
   if (added) {
     MappedText text = cut_template(*sources_, source(name), features);

@@ -19,7 +19,11 @@ namespace {
 class UnitWriter {
  public:
   UnitWriter(Composition& composition, const PlacedUnit& unit, Declared& declared)
-      : c_(composition), unit_(unit), code_(*unit.code), text_(unit.code->text.text()), declared_(declared),
+      : c_(composition),
+        unit_(unit),
+        code_(*unit.code),
+        text_(unit.code->text.text()),
+        declared_(declared),
         no_name_changes_(composition.owners[unit.owner].renames.empty() &&
                          (unit.scope.kind != ScopeKind::light || composition.owners[unit.owner].kind != OwnerKind::effect)) {}
 
@@ -60,11 +64,13 @@ class UnitWriter {
   Declared& declared_;
   const bool no_name_changes_;
   std::vector<Edit> edits_;
-  std::map<std::uint32_t, std::uint32_t> removed_;         // begin -> end
-  std::unordered_set<std::uint32_t> members_;              // where members of structs are declared
+  std::map<std::uint32_t, std::uint32_t> removed_;  // begin -> end
+  std::unordered_set<std::uint32_t> members_;       // where members of structs are declared
 };
 
-bool is_space(char c) { return is_blank(c) || c == '\r'; }
+bool is_space(char c) {
+  return is_blank(c) || c == '\r';
+}
 
 void UnitWriter::replace(std::uint32_t begin, std::uint32_t end, std::string replacement) {
   const auto next = removed_.lower_bound(begin);
@@ -105,7 +111,8 @@ bool UnitWriter::is_repeated(const GlobalOutline& global) {
   if (has_value) text += " = " + token_line(code_, global.initializer_begin, global.initializer_end);
   const auto [found, added] = declared_.globals.try_emplace(final_name(global.name));
   if (added) found->second = {std::move(text), name_span(code_, global.name, global.name_begin)};
-  if (!added && found->second.text != text) report_unequal(global.name, global.name_begin, fmt::format("{}{}", global.type, global.array), found->second);
+  if (!added && found->second.text != text)
+    report_unequal(global.name, global.name_begin, fmt::format("{}{}", global.type, global.array), found->second);
   return !added;
 }
 
@@ -114,14 +121,14 @@ void UnitWriter::report_unequal(std::string_view name, std::uint32_t begin, std:
   std::vector<RelatedPlace> related;
   if (before.span.valid()) related.push_back({before.span, "the other declaration"});
   c_.diagnostics.report(DiagnosticId::unequal_declarations, name_span(code_, name, begin),
-                        fmt::format("`{}` is declared here as `{}`, and differently before", name, type),
-                        std::move(related));
+                        fmt::format("`{}` is declared here as `{}`, and differently before", name, type), std::move(related));
   c_.mark_faulty(unit_);
 }
 
 /// ESSL 3.00 knows no initialised uniforms; their values come from the package.
 bool UnitWriter::loses_initializer(const GlobalOutline& global) const {
-  return c_.target == Target::essl300 && global.storage == Storage::uniform && global.initializer_begin < global.initializer_end;
+  return c_.target == Target::essl300 && global.storage == Storage::uniform &&
+         global.initializer_begin < global.initializer_end;
 }
 
 std::string UnitWriter::declarator_text(const GlobalOutline& global) const {
@@ -189,7 +196,8 @@ std::string indent_at(std::string_view text, std::uint32_t offset) {
 /// Whether the marker is the whole body of an `if`, `else` or loop, which must stay one statement.
 bool is_sole_statement(const CodeUnit& code, const MarkerOutline& marker) {
   const auto& tokens = code.tokens.tokens;
-  auto token = std::lower_bound(tokens.begin(), tokens.end(), marker.begin, [](const Token& t, std::uint32_t at) { return t.begin < at; });
+  auto token = std::lower_bound(tokens.begin(), tokens.end(), marker.begin,
+                                [](const Token& t, std::uint32_t at) { return t.begin < at; });
   while (token != tokens.begin() && (token - 1)->kind == TokenKind::marker) --token;
   if (token == tokens.begin()) return false;
   const std::string_view before = code.at(*(token - 1));
@@ -252,7 +260,8 @@ void UnitWriter::write_forward_declarations() {
   std::set<std::pair<std::size_t, std::size_t>> written;
   for (const std::vector<PlugCall>& calls : unit_.calls) {
     for (const PlugCall& call : calls) {
-      if (written.emplace(call.unit, call.function).second) edits_.push_back({place, place, prototype(call), call_origin(call)});
+      if (written.emplace(call.unit, call.function).second)
+        edits_.push_back({place, place, prototype(call), call_origin(call)});
     }
   }
 }
@@ -280,7 +289,8 @@ std::string UnitWriter::renamed(std::string_view code) const {
 void UnitWriter::find_members() {
   const auto& tokens = code_.tokens.tokens;
   for (const StructOutline& type : code_.outline.structs) {
-    auto token = std::lower_bound(tokens.begin(), tokens.end(), type.begin, [](const Token& t, std::uint32_t at) { return t.begin < at; });
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), type.begin,
+                                  [](const Token& t, std::uint32_t at) { return t.begin < at; });
     for (; token != tokens.end() && token->end <= type.end; ++token) {
       const std::string_view next = token + 1 == tokens.end() ? "" : code_.at(*(token + 1));
       const bool declares = token->begin != type.name_begin && token->begin != type.instance_begin;

@@ -12,7 +12,7 @@ namespace plugc {
 /// What has been declared in the stage so far, by final name.
 struct Declared {
   struct Declaration {
-    std::string text;   ///< Without qualifiers that may differ, to compare.
+    std::string text;  ///< Without qualifiers that may differ, to compare.
     Span span;
   };
   std::unordered_map<std::string, Declaration> globals;

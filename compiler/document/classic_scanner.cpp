@@ -51,11 +51,7 @@ Span ClassicScanner::next_span() const {
 std::string ClassicScanner::describe_next() const {
   if (at_end()) return "the end of the file";
   if (next() == '"') return "a string";
-  const std::string_view token(at_, static_cast<std::size_t>(token_end() - at_));
-  if (static_cast<unsigned char>(token[0]) < 0x20 || token[0] == 0x7f) {
-    return fmt::format("the byte 0x{:02x}", static_cast<unsigned char>(token[0]));
-  }
-  return fmt::format("`{}`", shown(token));
+  return described({at_, static_cast<std::size_t>(token_end() - at_)});
 }
 
 std::string_view ClassicScanner::peek_word() const {

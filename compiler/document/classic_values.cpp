@@ -7,18 +7,6 @@
 #include "document/classic_reader.h"
 
 namespace plugc {
-namespace {
-
-std::string_view in_words(ValueKind kind) {
-  switch (kind) {
-    case ValueKind::numbers: return "numbers";
-    case ValueKind::booleans: return "booleans";
-    case ValueKind::strings: return "strings";
-    default: return "nodes";
-  }
-}
-
-}  // namespace
 
 ValueSyntax ClassicReader::read_value(const Name& field) {
   const std::uint32_t begin = scan_.offset();

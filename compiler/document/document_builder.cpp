@@ -165,6 +165,22 @@ AccessType access_type(DocumentBuilder& builder, const Name& word) {
   return AccessType::initialize_only;
 }
 
+std::string described(std::string_view token) {
+  if (static_cast<unsigned char>(token[0]) < 0x20 || token[0] == 0x7f) {
+    return fmt::format("the byte 0x{:02x}", static_cast<unsigned char>(token[0]));
+  }
+  return fmt::format("`{}`", shown(token));
+}
+
+std::string_view in_words(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::numbers: return "numbers";
+    case ValueKind::booleans: return "booleans";
+    case ValueKind::strings: return "strings";
+    default: return "nodes";
+  }
+}
+
 std::string_view shown(std::string_view name) {
   constexpr std::size_t kLongest = 32;
   if (name.size() <= kLongest) return name;

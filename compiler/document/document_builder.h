@@ -102,6 +102,12 @@ class DocumentBuilder {
 /// `inputOutput` and its kind, as XML and JSON name them. What is none of them is reported and read as initializeOnly.
 AccessType access_type(DocumentBuilder& builder, const Name& word);
 
+/// A token as messages quote it: in backticks, or as a byte where it cannot be shown.
+std::string described(std::string_view token);
+
+/// What a list of that kind holds: "numbers", "strings", ...
+std::string_view in_words(ValueKind kind);
+
 /// As much of a name from the input as a message should repeat; cut between characters.
 std::string_view shown(std::string_view name);
 

@@ -9,17 +9,6 @@
 #include "document/json_reader.h"
 
 namespace plugc {
-namespace {
-
-std::string_view in_words(ValueKind kind) {
-  switch (kind) {
-    case ValueKind::numbers: return "numbers";
-    case ValueKind::booleans: return "booleans";
-    default: return "strings";
-  }
-}
-
-}  // namespace
 
 ValueSyntax JsonReader::read_value() {
   if (scan_.next() == '[') return read_list();

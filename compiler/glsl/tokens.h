@@ -5,8 +5,8 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plugc {
@@ -14,10 +14,10 @@ namespace plugc {
 enum class TokenKind : std::uint8_t {
   identifier,  ///< Keywords too.
   number,
-  symbol,      ///< One operator or bracket, longest match.
-  directive,   ///< A whole live preprocessor line (continued lines included), from `#` to before its line end.
-  marker,      ///< A live `/* PLUG: ... */`, `/* PLUG-DECLARATIONS */` or `/* VARYING-PASSTHROUGH-GEOMETRY-SHADERS */`.
-  invalid,     ///< A byte that starts no token; an unclosed comment.
+  symbol,     ///< One operator or bracket, longest match.
+  directive,  ///< A whole live preprocessor line (continued lines included), from `#` to before its line end.
+  marker,     ///< A live `/* PLUG: ... */`, `/* PLUG-DECLARATIONS */` or `/* VARYING-PASSTHROUGH-GEOMETRY-SHADERS */`.
+  invalid,    ///< A byte that starts no token; an unclosed comment.
 };
 
 /// Bytes [begin, end) of the text.

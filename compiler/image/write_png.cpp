@@ -1,5 +1,6 @@
 // One filter (SUB) and, of zlib, only runs (Z_RLE): what is drawn is smooth along a row, so that its differences run. Searching
-// for longer matches takes up to half as long again, for files between an eighth larger and a twelfth smaller. libpng strips the fourth byte of a pixel itself where no alpha is wanted.
+// for longer matches takes up to half as long again, for files between an eighth larger and a twelfth smaller. libpng strips
+// the fourth byte of a pixel itself where no alpha is wanted.
 
 #include "image/write_png.h"
 

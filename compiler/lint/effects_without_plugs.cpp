@@ -12,7 +12,8 @@ void lint_effects_without_plugs(const LintSubject& subject, Diagnostics& diagnos
   const bool of_use = std::any_of(subject.code.parts.begin(), subject.code.parts.end(), [](const EffectCode::Part& part) {
     const CodeUnit& unit = part.in_vertex ? *part.in_vertex : part.in_fragment ? *part.in_fragment : *part.in_geometry;
     const auto& functions = unit.outline.functions;
-    return std::any_of(functions.begin(), functions.end(), [](const FunctionOutline& function) { return function.is_definition(); });
+    return std::any_of(functions.begin(), functions.end(),
+                       [](const FunctionOutline& function) { return function.is_definition(); });
   });
   if (of_use || subject.effect.parts.empty()) return;
   diagnostics.report(DiagnosticId::effect_no_plugs, subject.effect.span,

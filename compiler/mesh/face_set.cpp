@@ -1,6 +1,6 @@
-// Faces to triangles. Corners with the same four indices become one vertex (found by an open-addressing table over all corners).
-// Convex faces and triangles are fans around their first corner; the others are projected along their normal and ear-clipped.
-// Texture units that the node leaves out get the default for the coordinate.
+// Faces to triangles. Corners with the same four indices become one vertex (found by an open-addressing table over all
+// corners). Convex faces and triangles are fans around their first corner; the others are projected along their normal and
+// ear-clipped. Texture units that the node leaves out get the default for the coordinate.
 
 #include "mesh/face_set.h"
 

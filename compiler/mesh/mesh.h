@@ -16,7 +16,7 @@ enum class Topology : std::uint8_t { triangles, lines, points };
 
 struct Mesh {
   Topology topology = Topology::triangles;
-  std::vector<glm::vec3> positions;                  ///< All count for the bounds, also those that no index names (Text).
+  std::vector<glm::vec3> positions;                ///< All count for the bounds, also those that no index names (Text).
   std::vector<glm::vec3> normals;                  ///< Unit length; empty for lines and points without normals.
   std::vector<std::vector<glm::vec4>> tex_coords;  ///< Per unit (s, t, r, q), as many as the node has or at least one default.
   std::vector<glm::vec4> colors;                   ///< Linear RGBA; empty without a Color node.

@@ -27,19 +27,22 @@ class Assembler {
   std::uint32_t add_image(const std::shared_ptr<const Image>& image);
   std::uint32_t add_texture(const SceneTexture& texture, const std::shared_ptr<const Image>& image);
   std::map<const Mesh*, std::uint32_t> add_meshes(const SceneParts& parts);
-  std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t index, const std::map<const Mesh*, std::uint32_t>& meshes,
-                                           const std::vector<std::uint32_t>& programs, const std::vector<std::uint32_t>& textures);
+  std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t index,
+                                           const std::map<const Mesh*, std::uint32_t>& meshes,
+                                           const std::vector<std::uint32_t>& programs,
+                                           const std::vector<std::uint32_t>& textures);
 
   PackageT package_;
   SourceList sources_;
-  std::map<std::string, std::uint32_t> programs_;               // by content
+  std::map<std::string, std::uint32_t> programs_;  // by content
   std::map<const Image*, std::uint32_t> images_;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;  // by image and wrapping
 };
 
 std::uint32_t Assembler::add_program(const ValidRecipe& recipe, const std::string& name) {
   if (recipe.targets.empty()) return kNothing;
-  const auto [found, added] = programs_.try_emplace(program_content(recipe), static_cast<std::uint32_t>(package_.programs.size()));
+  const auto [found, added] =
+      programs_.try_emplace(program_content(recipe), static_cast<std::uint32_t>(package_.programs.size()));
   if (added) package_.programs.push_back(pack_program(recipe, name, sources_));
   return found->second;
 }
@@ -62,7 +65,8 @@ std::uint32_t Assembler::add_texture(const SceneTexture& texture, const std::sha
   packed->wrap_s = static_cast<PackedWrap>(texture.wrap_s);
   packed->wrap_t = static_cast<PackedWrap>(texture.wrap_t);
   const int wraps = static_cast<int>(texture.wrap_s) * 4 + static_cast<int>(texture.wrap_t);
-  const auto [found, added] = textures_.try_emplace({packed->image, wraps}, static_cast<std::uint32_t>(package_.textures.size()));
+  const auto [found, added] =
+      textures_.try_emplace({packed->image, wraps}, static_cast<std::uint32_t>(package_.textures.size()));
   if (added) package_.textures.push_back(std::move(packed));
   return found->second;
 }
@@ -91,7 +95,8 @@ std::map<const Mesh*, std::uint32_t> Assembler::add_meshes(const SceneParts& par
 void pack_slots(const Scene& scene, PackedSceneT& packed) {
   for (std::size_t i = 0; i < scene.slots.size(); ++i) {
     const Slot& slot = scene.slots[i];
-    packed.slots.emplace_back(static_cast<std::uint32_t>(packed.slot_values.size()), slot.count, static_cast<PackedValueType>(slot.type));
+    packed.slots.emplace_back(static_cast<std::uint32_t>(packed.slot_values.size()), slot.count,
+                              static_cast<PackedValueType>(slot.type));
     packed.slot_values.insert(packed.slot_values.end(), slot.values.begin(), slot.values.end());
     if (slot.name.empty()) continue;
     auto name = std::make_unique<PackedSlotNameT>();
@@ -103,7 +108,8 @@ void pack_slots(const Scene& scene, PackedSceneT& packed) {
 
 void pack_transforms(const Scene& scene, PackedSceneT& packed) {
   for (const SceneTransform& t : scene.transforms) {
-    packed.transforms.emplace_back(t.parent, t.translation, t.rotation, t.scale, t.scale_orientation, t.center, t.switch_slot, t.choice);
+    packed.transforms.emplace_back(t.parent, t.translation, t.rotation, t.scale, t.scale_orientation, t.center, t.switch_slot,
+                                   t.choice);
   }
   for (const SceneTextureTransform& t : scene.texture_transforms) {
     packed.texture_transforms.emplace_back(t.translation, t.rotation, t.scale, t.center);
@@ -165,7 +171,8 @@ bool has_known_bounds(const Recipe& recipe, const ValidRecipe& program) {
 
 std::unique_ptr<PackedShapeT> Assembler::pack_shape(const SceneParts& parts, std::size_t index,
                                                     const std::map<const Mesh*, std::uint32_t>& meshes,
-                                                    const std::vector<std::uint32_t>& programs, const std::vector<std::uint32_t>& textures) {
+                                                    const std::vector<std::uint32_t>& programs,
+                                                    const std::vector<std::uint32_t>& textures) {
   const SceneShape& shape = parts.scene.shapes[index];
   const ShapePlan& plan = parts.shapes[index];
   const ValidRecipe& program = parts.programs[static_cast<std::size_t>(plan.program)];
@@ -205,13 +212,15 @@ void Assembler::add_scene(SceneParts& parts) {
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
 
   std::vector<std::uint32_t> programs;
-  for (std::size_t i = 0; i < parts.programs.size(); ++i) programs.push_back(add_program(parts.programs[i], parts.program_names[i]));
+  for (std::size_t i = 0; i < parts.programs.size(); ++i)
+    programs.push_back(add_program(parts.programs[i], parts.program_names[i]));
   std::vector<std::uint32_t> textures;
   for (std::size_t i = 0; i < scene.textures.size(); ++i) textures.push_back(add_texture(scene.textures[i], parts.images[i]));
   const auto meshes = add_meshes(parts);
   for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
     const ShapePlan& plan = parts.shapes[i];
-    const bool drawn = plan.mesh != nullptr && plan.program >= 0 && programs[static_cast<std::size_t>(plan.program)] != kNothing;
+    const bool drawn =
+        plan.mesh != nullptr && plan.program >= 0 && programs[static_cast<std::size_t>(plan.program)] != kNothing;
     if (drawn) packed->shapes.push_back(pack_shape(parts, i, meshes, programs, textures));
   }
   package_.scenes.push_back(std::move(packed));

@@ -16,9 +16,9 @@ namespace plugc {
 
 /// How a shape is drawn: what the recipe does not say.
 struct ShapePlan {
-  std::shared_ptr<const Mesh> mesh;   ///< Null: the shape is not drawn. Shapes with one geometry share it.
-  int program = -1;                   ///< Into SceneParts::programs; -1: not drawn.
-  int depth_program = -1;             ///< -1: casts no shadow.
+  std::shared_ptr<const Mesh> mesh;  ///< Null: the shape is not drawn. Shapes with one geometry share it.
+  int program = -1;                  ///< Into SceneParts::programs; -1: not drawn.
+  int depth_program = -1;            ///< -1: casts no shadow.
   bool blended = false;
 };
 
@@ -28,7 +28,7 @@ struct SceneParts {
   std::vector<std::shared_ptr<const Image>> images;  ///< By texture of the scene.
   std::vector<ShapePlan> shapes;                     ///< By shape of the scene.
   std::vector<ValidRecipe> programs;
-  std::vector<std::string> program_names;            ///< By program: its recipe as text.
+  std::vector<std::string> program_names;  ///< By program: its recipe as text.
 };
 
 /// Programs, meshes and images that are equal byte for byte are stored once, whichever scene they come from.

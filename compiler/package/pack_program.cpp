@@ -16,12 +16,21 @@ constexpr std::uint32_t kNothing = UINT32_MAX;
 
 PackedUniformType pack_type(std::string_view type) {
   static const std::map<std::string_view, PackedUniformType> kTypes = {
-      {"bool", PackedUniformType::bool_}, {"int", PackedUniformType::int_}, {"float", PackedUniformType::float_},
-      {"vec2", PackedUniformType::vec2}, {"vec3", PackedUniformType::vec3}, {"vec4", PackedUniformType::vec4},
-      {"ivec2", PackedUniformType::ivec2}, {"ivec3", PackedUniformType::ivec3}, {"ivec4", PackedUniformType::ivec4},
-      {"mat3", PackedUniformType::mat3}, {"mat4", PackedUniformType::mat4},
-      {"sampler2D", PackedUniformType::sampler2D}, {"sampler3D", PackedUniformType::sampler3D},
-      {"samplerCube", PackedUniformType::samplerCube}, {"sampler2DShadow", PackedUniformType::sampler2DShadow},
+      {"bool", PackedUniformType::bool_},
+      {"int", PackedUniformType::int_},
+      {"float", PackedUniformType::float_},
+      {"vec2", PackedUniformType::vec2},
+      {"vec3", PackedUniformType::vec3},
+      {"vec4", PackedUniformType::vec4},
+      {"ivec2", PackedUniformType::ivec2},
+      {"ivec3", PackedUniformType::ivec3},
+      {"ivec4", PackedUniformType::ivec4},
+      {"mat3", PackedUniformType::mat3},
+      {"mat4", PackedUniformType::mat4},
+      {"sampler2D", PackedUniformType::sampler2D},
+      {"sampler3D", PackedUniformType::sampler3D},
+      {"samplerCube", PackedUniformType::samplerCube},
+      {"sampler2DShadow", PackedUniformType::sampler2DShadow},
       {"samplerCubeShadow", PackedUniformType::samplerCubeShadow}};
   const auto found = kTypes.find(type);
   return found == kTypes.end() ? PackedUniformType::float_ : found->second;
@@ -109,7 +118,8 @@ void Binder::bind_field(std::uint32_t index, const ReflectedVariable& uniform, c
 }
 
 void Binder::bind_light(std::uint32_t index, PackedSource source, int number) {
-  if (light(number) != nullptr) add(index, source, static_cast<std::uint32_t>(c_.shape.lights[static_cast<std::size_t>(number)]));
+  if (light(number) != nullptr)
+    add(index, source, static_cast<std::uint32_t>(c_.shape.lights[static_cast<std::size_t>(number)]));
 }
 
 void Binder::bind_shadow(std::uint32_t index, PackedSource source, int number) {
@@ -122,8 +132,10 @@ void Binder::bind_material(std::uint32_t index, CastleSource source) {
     if (which != kSceneNoSlot) add(index, PackedSource::slot, which);
   };
   switch (source) {
-    case CastleSource::material_diffuse_alpha: return add(index, PackedSource::color_and_transparency, material_.diffuse, material_.transparency);
-    case CastleSource::unlit_color: return add(index, PackedSource::color_and_transparency, material_.emissive, material_.transparency);
+    case CastleSource::material_diffuse_alpha:
+      return add(index, PackedSource::color_and_transparency, material_.diffuse, material_.transparency);
+    case CastleSource::unlit_color:
+      return add(index, PackedSource::color_and_transparency, material_.emissive, material_.transparency);
     case CastleSource::material_ambient: return add(index, PackedSource::slot_product, material_.diffuse, material_.ambient);
     case CastleSource::material_specular: return slot(material_.specular);
     case CastleSource::material_emissive: return slot(material_.emissive);
@@ -171,7 +183,8 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
 
 void Binder::bind_uniform(std::uint32_t index, const ReflectedVariable& uniform) {
   const auto& fields = recipe_.targets.front().composed.fields;
-  const auto fed = std::find_if(fields.begin(), fields.end(), [&](const FieldUniform& field) { return field.name == uniform.name; });
+  const auto fed =
+      std::find_if(fields.begin(), fields.end(), [&](const FieldUniform& field) { return field.name == uniform.name; });
   if (fed != fields.end()) return bind_field(index, uniform, *fed);
   if (const auto castle = find_castle_name(uniform.name)) bind_castle(index, *castle);
 }
@@ -237,6 +250,8 @@ std::string program_content(const ValidRecipe& recipe) {
   return content;
 }
 
-std::vector<PackedBinding> pack_bindings(const ValidRecipe& recipe, const BindingContext& context) { return Binder(recipe, context).bind(); }
+std::vector<PackedBinding> pack_bindings(const ValidRecipe& recipe, const BindingContext& context) {
+  return Binder(recipe, context).bind();
+}
 
 }  // namespace plugc

@@ -13,7 +13,8 @@
 namespace plugc {
 namespace {
 
-/// Without a Background the standard leaves the colour to the browser: the dark grey of the reference engine's viewer, measured.
+/// Without a Background the standard leaves the colour to the browser: the dark grey of the reference engine's viewer,
+/// measured.
 constexpr double kDefaultSky = 26.0 / 255.0;
 
 /// The reference engine adds this much of each material's ambient colour (OpenGL's default light model), measured.
@@ -35,7 +36,8 @@ class SceneWalk {
     if (context_.options.all_branches) add_unreached_effects();
     add_headlight(context_, navigation_info_);
     context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
-    if (!has_background_) context_.scene.background_color = context_.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
+    if (!has_background_)
+      context_.scene.background_color = context_.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
     for (SceneShape& shape : context_.scene.shapes) add_global_lights(shape);
     finish_lights(context_, receives_);
   }
@@ -66,9 +68,10 @@ class SceneWalk {
 bool SceneWalk::within_limits(NodeId node) {
   const bool within = depth_ < kMaxSceneDepth && visited_ < kMaxSceneNodes && context_.scene.shapes.size() < kMaxShapeInstances;
   if (!within) {
-    context_.diagnostics.report(DiagnosticId::scene_limit, graph_[node].type_span,
-                                fmt::format("the scene has more than {} shapes, {} nodes or {} levels here; the rest of it is left out",
-                                            kMaxShapeInstances, kMaxSceneNodes, kMaxSceneDepth));
+    context_.diagnostics.report(
+        DiagnosticId::scene_limit, graph_[node].type_span,
+        fmt::format("the scene has more than {} shapes, {} nodes or {} levels here; the rest of it is left out",
+                    kMaxShapeInstances, kMaxSceneNodes, kMaxSceneDepth));
   }
   return within;
 }
@@ -153,8 +156,9 @@ Shading read_shading(SceneContext& context, NodeId shape) {
   if (shading == "GOURAUD") return Shading::gouraud;
   if (shading == "WIREFRAME") return Shading::wireframe;
   if (shading != "DEFAULT" && shading != "PHONG") {
-    context.diagnostics.report(DiagnosticId::field_value, context.graph.field_span(shape, "shading"),
-                               fmt::format("`shading` is `{}`; it takes `DEFAULT`, `PHONG`, `GOURAUD` or `WIREFRAME`", shading));
+    context.diagnostics.report(
+        DiagnosticId::field_value, context.graph.field_span(shape, "shading"),
+        fmt::format("`shading` is `{}`; it takes `DEFAULT`, `PHONG`, `GOURAUD` or `WIREFRAME`", shading));
   }
   return Shading::phong;
 }

@@ -41,21 +41,26 @@ std::string dump_scene(const Scene& scene) {
   std::string text = fmt::format("scene {}\n", scene.name);
   for (std::size_t i = 0; i < scene.slots.size(); ++i) {
     const Slot& slot = scene.slots[i];
-    text += fmt::format("slot {} {}{} = {}\n", i, slot.name.empty() ? "-" : slot.name, slot.routed ? " (routed)" : "", numbers(slot.values));
+    text += fmt::format("slot {} {}{} = {}\n", i, slot.name.empty() ? "-" : slot.name, slot.routed ? " (routed)" : "",
+                        numbers(slot.values));
   }
-  for (std::size_t i = 0; i < scene.transforms.size(); ++i) text += fmt::format("transform {} parent {}\n", i, scene.transforms[i].parent);
-  for (std::size_t i = 0; i < scene.effects.size(); ++i) text += fmt::format("effect {} {}\n", i, dump_effect(scene.effects[i]));
-  for (std::size_t i = 0; i < scene.shaders.size(); ++i) text += fmt::format("shader {} {}\n", i, dump_effect(scene.shaders[i]));
+  for (std::size_t i = 0; i < scene.transforms.size(); ++i)
+    text += fmt::format("transform {} parent {}\n", i, scene.transforms[i].parent);
+  for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    text += fmt::format("effect {} {}\n", i, dump_effect(scene.effects[i]));
+  for (std::size_t i = 0; i < scene.shaders.size(); ++i)
+    text += fmt::format("shader {} {}\n", i, dump_effect(scene.shaders[i]));
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const SceneLight& light = scene.lights[i];
-    text += fmt::format("light {} {} {}{} transform {} effects {}\n", i, kLightKinds[static_cast<std::size_t>(light.kind)], light.label,
-                        light.shadow_map >= 0 ? fmt::format(" shadow map {}", light.shadow_map) : "", light.transform, indices(light.effects));
+    text += fmt::format("light {} {} {}{} transform {} effects {}\n", i, kLightKinds[static_cast<std::size_t>(light.kind)],
+                        light.label, light.shadow_map >= 0 ? fmt::format(" shadow map {}", light.shadow_map) : "",
+                        light.transform, indices(light.effects));
   }
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const SceneShape& shape = scene.shapes[i];
-    text += fmt::format("shape {} {} transform {} lights {} receives {} textures {} effects {}{}\n", i, shape.name, shape.transform,
-                        indices(shape.lights), indices(shape.receives), shape.textures.size(), indices(shape.effects),
-                        shape.shader >= 0 ? fmt::format(" shader {}", shape.shader) : "");
+    text += fmt::format("shape {} {} transform {} lights {} receives {} textures {} effects {}{}\n", i, shape.name,
+                        shape.transform, indices(shape.lights), indices(shape.receives), shape.textures.size(),
+                        indices(shape.effects), shape.shader >= 0 ? fmt::format(" shader {}", shape.shader) : "");
   }
   return text;
 }

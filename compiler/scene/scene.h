@@ -4,7 +4,7 @@
 // Plain data: indices into the lists of one Scene, -1 for none.
 
 #include <cstdint>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,14 +19,16 @@ inline constexpr std::uint32_t kSceneNoSlot = UINT32_MAX;  ///< "None: the defau
 
 enum class SlotType : std::uint8_t { bool_, int_, float_, vec2, vec3, vec4, mat3, mat4, rotation };
 std::uint32_t component_count(SlotType type);
+/// The slot type that holds one element of a field; nullopt for strings, nodes and images.
+std::optional<SlotType> slot_type(FieldType type);
 
 /// A value that may change while the scene is drawn.
 struct Slot {
   SlotType type = SlotType::float_;
-  std::uint32_t count = 1;       ///< Elements; more than 1 for arrays.
+  std::uint32_t count = 1;  ///< Elements; more than 1 for arrays.
   std::vector<double> values;
-  std::string name;              ///< `DEF.field`, or empty.
-  bool routed = false;           ///< Some ROUTE writes it.
+  std::string name;     ///< `DEF.field`, or empty.
+  bool routed = false;  ///< Some ROUTE writes it.
 };
 
 /// Object to parent space, X3D 4.1 clause 10.4.4. Fields are slots.
@@ -45,8 +47,8 @@ enum class PartStage : std::uint8_t { vertex, geometry, fragment, light };
 struct ShaderSource {
   PartStage stage = PartStage::vertex;
   MappedText text;
-  Span span;              ///< The url or CDATA that it was read from.
-  NodeId node;            ///< The part: USEd twice in one effect, it is one definition.
+  Span span;    ///< The url or CDATA that it was read from.
+  NodeId node;  ///< The part: USEd twice in one effect, it is one definition.
 };
 
 /// An interface field of an Effect or ComposedShader: what feeds the uniform of its name.
@@ -54,13 +56,13 @@ struct ShaderField {
   std::string_view name;
   FieldType type = FieldType::unknown;
   Span span;
-  std::uint32_t slot = kSceneNoSlot;   ///< For values.
-  std::vector<int> textures;           ///< For SFNode and MFNode.
+  std::uint32_t slot = kSceneNoSlot;  ///< For values.
+  std::vector<int> textures;          ///< For SFNode and MFNode.
 };
 
 struct SceneEffect {
   NodeId node;
-  std::string label;                   ///< DEF name, or `Effect` with its line.
+  std::string label;  ///< DEF name, or `Effect` with its line.
   Span span;
   std::vector<ShaderSource> parts;
   std::vector<ShaderField> fields;
@@ -91,24 +93,24 @@ struct SceneTextureTransform {
 struct TextureUse {
   int texture = -1;
   TextureMode mode = TextureMode::modulate;
-  int transform = -1;                  ///< Into texture_transforms.
-  int unit = 0;                        ///< Texture coordinate unit of the geometry.
+  int transform = -1;  ///< Into texture_transforms.
+  int unit = 0;        ///< Texture coordinate unit of the geometry.
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };
 
 struct SceneLight {
   LightKind kind = LightKind::directional;
-  NodeId node;                         ///< Not valid for a default headlight.
+  NodeId node;  ///< Not valid for a default headlight.
   std::string label;
-  bool headlight = false;              ///< Hangs on the camera.
+  bool headlight = false;  ///< Hangs on the camera.
   int transform = -1;
   std::uint32_t on = kSceneNoSlot, color = kSceneNoSlot, intensity = kSceneNoSlot, ambient_intensity = kSceneNoSlot;
   std::uint32_t location = kSceneNoSlot, direction = kSceneNoSlot, attenuation = kSceneNoSlot, radius = kSceneNoSlot;
   std::uint32_t cut_off_angle = kSceneNoSlot, beam_width = kSceneNoSlot;
   std::vector<int> effects;
-  bool casts_on_all = false;           ///< `shadows TRUE`.
-  int shadow_map = -1;                 ///< Made when some shape looks into it.
+  bool casts_on_all = false;  ///< `shadows TRUE`.
+  int shadow_map = -1;        ///< Made when some shape looks into it.
   std::uint32_t shadow_intensity = kSceneNoSlot;
 };
 
@@ -127,13 +129,25 @@ enum class Lighting : std::uint8_t { unlit, phong };
 
 struct SceneMaterial {
   Lighting lighting = Lighting::unlit;
-  std::uint32_t diffuse = kSceneNoSlot, ambient = kSceneNoSlot;   ///< `ambient` is ambientIntensity.
+  std::uint32_t diffuse = kSceneNoSlot, ambient = kSceneNoSlot;  ///< `ambient` is ambientIntensity.
   std::uint32_t specular = kSceneNoSlot, emissive = kSceneNoSlot, shininess = kSceneNoSlot, transparency = kSceneNoSlot;
 };
 
 enum class BlendFactor : std::uint8_t {
-  zero, one, src_color, one_minus_src_color, dst_color, one_minus_dst_color, src_alpha, one_minus_src_alpha,
-  dst_alpha, one_minus_dst_alpha, src_alpha_saturate, constant_color, one_minus_constant_color, constant_alpha,
+  zero,
+  one,
+  src_color,
+  one_minus_src_color,
+  dst_color,
+  one_minus_dst_color,
+  src_alpha,
+  one_minus_src_alpha,
+  dst_alpha,
+  one_minus_dst_alpha,
+  src_alpha_saturate,
+  constant_color,
+  one_minus_constant_color,
+  constant_alpha,
   one_minus_constant_alpha
 };
 
@@ -145,15 +159,15 @@ struct SceneBlend {
 enum class Shading : std::uint8_t { phong, gouraud, wireframe };
 
 struct SceneShape {
-  std::string name;                    ///< DEF of the shape or its geometry's type, for people.
+  std::string name;  ///< DEF of the shape or its geometry's type, for people.
   NodeId node, geometry;
   int transform = -1;
-  int material = -1;                   ///< -1: unlit white.
+  int material = -1;  ///< -1: unlit white.
   std::vector<TextureUse> textures;
-  std::vector<int> lights;             ///< In document order of the scene's light list.
-  std::vector<int> receives;           ///< Lights whose shadow this shape shows.
-  std::vector<int> effects;            ///< Of the Appearance, then of the groups from the outermost in.
-  int shader = -1;                     ///< A ComposedShader.
+  std::vector<int> lights;    ///< In document order of the scene's light list.
+  std::vector<int> receives;  ///< Lights whose shadow this shape shows.
+  std::vector<int> effects;   ///< Of the Appearance, then of the groups from the outermost in.
+  int shader = -1;            ///< A ComposedShader.
   Shading shading = Shading::phong;
   bool casts_shadow = true;
   bool has_blend_mode = false;
@@ -175,7 +189,7 @@ struct Scene {
   std::vector<SceneShader> shaders;
   std::vector<SceneTexture> textures;
   std::vector<SceneTextureTransform> texture_transforms;
-  std::vector<SceneLight> lights;      ///< In the order that effects number them by (effects.md): headlight, directional, others.
+  std::vector<SceneLight> lights;  ///< In the order that effects number them by (effects.md): headlight, directional, others.
   std::vector<SceneShadowMap> shadow_maps;
   std::vector<SceneMaterial> materials;
   std::vector<SceneShape> shapes;

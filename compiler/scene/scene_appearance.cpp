@@ -19,8 +19,8 @@ std::optional<PartStage> part_stage(SceneContext& context, NodeId part) {
   const auto found = std::find(kPartTypes.begin(), kPartTypes.end(), type);
   if (found != kPartTypes.end()) return static_cast<PartStage>(found - kPartTypes.begin());
   context.diagnostics.report(DiagnosticId::effect_unknown_type, context.graph.field_span(part, "type"),
-                             fmt::format("`{}` is no shader stage; `type` takes `VERTEX`, `GEOMETRY`, `FRAGMENT` or `LIGHT`{}", type,
-                                         did_you_mean(type, kPartTypes)));
+                             fmt::format("`{}` is no shader stage; `type` takes `VERTEX`, `GEOMETRY`, `FRAGMENT` or `LIGHT`{}",
+                                         type, did_you_mean(type, kPartTypes)));
   return std::nullopt;
 }
 
@@ -81,8 +81,9 @@ std::vector<std::string> read_libraries(SceneContext& context, NodeId effect) {
       libraries.push_back(url.text());
       continue;
     }
-    context.diagnostics.report(DiagnosticId::effect_unknown_library, url.locate(0, url.size()),
-                               fmt::format("there is no library `{}`; plugc has `{}`", url.text(), fmt::join(kLibraries, "`, `")));
+    context.diagnostics.report(
+        DiagnosticId::effect_unknown_library, url.locate(0, url.size()),
+        fmt::format("there is no library `{}`; plugc has `{}`", url.text(), fmt::join(kLibraries, "`, `")));
   }
   return libraries;
 }
@@ -105,11 +106,12 @@ TextureMode read_mode(SceneContext& context, NodeId multi_texture, std::size_t i
 
 int texture_transform_index(SceneContext& context, NodeId node) {
   if (!context.graph.is(node, "TextureTransform")) return -1;
-  const auto [found, added] = context.texture_transforms.try_emplace(node, static_cast<int>(context.scene.texture_transforms.size()));
+  const auto [found, added] =
+      context.texture_transforms.try_emplace(node, static_cast<int>(context.scene.texture_transforms.size()));
   if (added) {
     SlotTable& slots = context.slots;
-    context.scene.texture_transforms.push_back({slots.slot(node, "translation"), slots.slot(node, "rotation"),
-                                                slots.slot(node, "scale"), slots.slot(node, "center")});
+    context.scene.texture_transforms.push_back(
+        {slots.slot(node, "translation"), slots.slot(node, "rotation"), slots.slot(node, "scale"), slots.slot(node, "center")});
   }
   return found->second;
 }
@@ -175,10 +177,21 @@ int material_index(SceneContext& context, NodeId node) {
 }
 
 BlendFactor read_factor(SceneContext& context, NodeId blend, std::string_view field, BlendFactor fallback) {
-  constexpr std::array<std::string_view, 15> kNames = {
-      "ZERO", "ONE", "SRC_COLOR", "ONE_MINUS_SRC_COLOR", "DST_COLOR", "ONE_MINUS_DST_COLOR", "SRC_ALPHA", "ONE_MINUS_SRC_ALPHA",
-      "DST_ALPHA", "ONE_MINUS_DST_ALPHA", "SRC_ALPHA_SATURATE", "CONSTANT_COLOR", "ONE_MINUS_CONSTANT_COLOR", "CONSTANT_ALPHA",
-      "ONE_MINUS_CONSTANT_ALPHA"};
+  constexpr std::array<std::string_view, 15> kNames = {"ZERO",
+                                                       "ONE",
+                                                       "SRC_COLOR",
+                                                       "ONE_MINUS_SRC_COLOR",
+                                                       "DST_COLOR",
+                                                       "ONE_MINUS_DST_COLOR",
+                                                       "SRC_ALPHA",
+                                                       "ONE_MINUS_SRC_ALPHA",
+                                                       "DST_ALPHA",
+                                                       "ONE_MINUS_DST_ALPHA",
+                                                       "SRC_ALPHA_SATURATE",
+                                                       "CONSTANT_COLOR",
+                                                       "ONE_MINUS_CONSTANT_COLOR",
+                                                       "CONSTANT_ALPHA",
+                                                       "ONE_MINUS_CONSTANT_ALPHA"};
   const std::string_view name = context.graph.string(blend, field);
   const auto found = std::find(kNames.begin(), kNames.end(), name);
   if (found != kNames.end()) return static_cast<BlendFactor>(found - kNames.begin());
@@ -229,8 +242,9 @@ int texture_index(SceneContext& context, NodeId node) {
   if (const auto found = context.textures.find(node); found != context.textures.end()) return found->second;
   int& index = context.textures[node] = -1;
   if (!context.graph.is(node, "ImageTexture")) {
-    context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span,
-                               fmt::format("a `{}` is not drawn yet; the shape is drawn without it", context.graph[node].info->name));
+    context.diagnostics.report(
+        DiagnosticId::not_drawn, context.graph[node].type_span,
+        fmt::format("a `{}` is not drawn yet; the shape is drawn without it", context.graph[node].info->name));
     return -1;
   }
   SceneTexture texture;

@@ -13,7 +13,11 @@ namespace plugc {
 struct SceneContext {
   SceneContext(const NodeGraph& node_graph, SourceSet& source_set, FileAccess& file_access, const SceneOptions& scene_options,
                Diagnostics& sink)
-      : graph(node_graph), sources(source_set), files(file_access), options(scene_options), diagnostics(sink),
+      : graph(node_graph),
+        sources(source_set),
+        files(file_access),
+        options(scene_options),
+        diagnostics(sink),
         slots(node_graph, scene.slots) {}
 
   const NodeGraph& graph;

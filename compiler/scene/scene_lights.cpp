@@ -39,7 +39,8 @@ void check_projection(SceneContext& context, const SceneLight& light) {
   };
   if (near < 0) report("projectionNear", fmt::format("`projectionNear` {} is negative; it is computed instead", near));
   if (far != 0 && far <= near) {
-    report("projectionFar", fmt::format("`projectionFar` {} is not beyond `projectionNear` {}; it is computed instead", far, near));
+    report("projectionFar",
+           fmt::format("`projectionFar` {} is not beyond `projectionNear` {}; it is computed instead", far, near));
   }
   if (light.kind != LightKind::directional) return;
   const glm::dvec4 rectangle = graph.vec4(light.node, "projectionRectangle");  // left bottom right top
@@ -60,8 +61,9 @@ ShadowUpdate read_update(SceneContext& context, NodeId map) {
 }
 
 void report_never_drawn(SceneContext& context, NodeId map) {
-  context.diagnostics.report(DiagnosticId::shadow_map_update_none, context.graph.field_span(map, "update"),
-                             "a shadow map with `update \"NONE\"` is never drawn, so this light casts no shadow; write `update \"ALWAYS\"`");
+  context.diagnostics.report(
+      DiagnosticId::shadow_map_update_none, context.graph.field_span(map, "update"),
+      "a shadow map with `update \"NONE\"` is never drawn, so this light casts no shadow; write `update \"ALWAYS\"`");
 }
 
 /// The map of a light that some shape receives; -1 when it has none that can be drawn.

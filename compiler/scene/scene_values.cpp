@@ -8,35 +8,30 @@
 #include <fmt/format.h>
 
 namespace plugc {
-namespace {
-
-/// The slot type that holds one element of a field; nullopt for strings, nodes and images.
 std::optional<SlotType> slot_type(FieldType type) {
-  switch (type) {
-    case FieldType::SFBool: case FieldType::MFBool: return SlotType::bool_;
-    case FieldType::SFInt32: case FieldType::MFInt32: return SlotType::int_;
-    case FieldType::SFFloat: case FieldType::MFFloat: case FieldType::SFDouble: case FieldType::MFDouble:
-    case FieldType::SFTime: case FieldType::MFTime: return SlotType::float_;
-    case FieldType::SFVec2f: case FieldType::MFVec2f: case FieldType::SFVec2d: case FieldType::MFVec2d: return SlotType::vec2;
-    case FieldType::SFVec3f: case FieldType::MFVec3f: case FieldType::SFVec3d: case FieldType::MFVec3d:
-    case FieldType::SFColor: case FieldType::MFColor: return SlotType::vec3;
-    case FieldType::SFVec4f: case FieldType::MFVec4f: case FieldType::SFVec4d: case FieldType::MFVec4d:
-    case FieldType::SFColorRGBA: case FieldType::MFColorRGBA: return SlotType::vec4;
-    case FieldType::SFRotation: case FieldType::MFRotation: return SlotType::rotation;
-    case FieldType::SFMatrix3f: case FieldType::MFMatrix3f: case FieldType::SFMatrix3d: case FieldType::MFMatrix3d: return SlotType::mat3;
-    case FieldType::SFMatrix4f: case FieldType::MFMatrix4f: case FieldType::SFMatrix4d: case FieldType::MFMatrix4d: return SlotType::mat4;
+  if (type == FieldType::SFBool || type == FieldType::MFBool) return SlotType::bool_;
+  if (type == FieldType::SFInt32 || type == FieldType::MFInt32) return SlotType::int_;
+  if (type == FieldType::SFRotation || type == FieldType::MFRotation) return SlotType::rotation;
+  switch (is_numeric(type) ? component_count(type) : 0) {
+    case 1: return SlotType::float_;
+    case 2: return SlotType::vec2;
+    case 3: return SlotType::vec3;
+    case 4: return SlotType::vec4;
+    case 9: return SlotType::mat3;
+    case 16: return SlotType::mat4;
     default: return std::nullopt;
   }
 }
 
-}  // namespace
-
 std::uint32_t component_count(SlotType type) {
   switch (type) {
-    case SlotType::bool_: case SlotType::int_: case SlotType::float_: return 1;
+    case SlotType::bool_:
+    case SlotType::int_:
+    case SlotType::float_: return 1;
     case SlotType::vec2: return 2;
     case SlotType::vec3: return 3;
-    case SlotType::vec4: case SlotType::rotation: return 4;
+    case SlotType::vec4:
+    case SlotType::rotation: return 4;
     case SlotType::mat3: return 9;
     case SlotType::mat4: return 16;
   }
@@ -47,7 +42,9 @@ SlotTable::SlotTable(const NodeGraph& graph, std::vector<Slot>& slots) : graph_(
   for (const GraphRoute& route : graph.routes()) routed_.emplace(route.to, route.to_field);
 }
 
-bool SlotTable::is_routed(NodeId node, std::string_view field) const { return routed_.contains({node, field}); }
+bool SlotTable::is_routed(NodeId node, std::string_view field) const {
+  return routed_.contains({node, field});
+}
 
 std::uint32_t SlotTable::add(NodeId node, std::string_view field, const FieldValue& value) {
   const auto key = std::make_pair(node, field);
@@ -67,7 +64,9 @@ std::uint32_t SlotTable::add(NodeId node, std::string_view field, const FieldVal
   return index;
 }
 
-std::uint32_t SlotTable::slot(NodeId node, std::string_view field) { return add(node, field, graph_.field(node, field)); }
+std::uint32_t SlotTable::slot(NodeId node, std::string_view field) {
+  return add(node, field, graph_.field(node, field));
+}
 
 std::uint32_t SlotTable::slot_if_used(NodeId node, std::string_view field) {
   return graph_.is_written(node, field) || is_routed(node, field) ? slot(node, field) : kSceneNoSlot;

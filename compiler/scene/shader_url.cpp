@@ -71,7 +71,8 @@ std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, 
     const Span span = url.locate(0, url.size());
     if (is_data_url(url.text())) {
       if (auto code = data_url_code(url, span)) return ShaderCode{std::move(*code), span};
-      failures.report(DiagnosticId::effect_url, span, "this `data:` url holds no readable code; write `data:text/plain,` and the code");
+      failures.report(DiagnosticId::effect_url, span,
+                      "this `data:` url holds no readable code; write `data:text/plain,` and the code");
       continue;
     }
     if (auto bytes = read_url(files, url.text(), graph.base_path(part), span, failures)) {

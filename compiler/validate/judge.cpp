@@ -115,7 +115,10 @@ std::vector<VerdictMessage> link(const Candidate& candidate, Linked& linked) {
   if (!good) return errors_of(linked.program.getInfoLog(), candidate.stages.back().stage);
   for (std::size_t i = 0; i < linked.stages.size(); ++i) {
     if (tree_depth(*linked.tree(i)) <= kMaxTreeDepth) continue;
-    messages.push_back({linked.stages[i].stage, 0, {}, fmt::format("an expression nests more than {} deep, which crashes drivers", kMaxTreeDepth)});
+    messages.push_back({linked.stages[i].stage,
+                        0,
+                        {},
+                        fmt::format("an expression nests more than {} deep, which crashes drivers", kMaxTreeDepth)});
   }
   for (std::size_t i = 1; i < linked.stages.size(); ++i) {
     std::ranges::move(

@@ -1,7 +1,7 @@
-// The worker starts early where the cache is empty, as it will be asked for certain; else at the first miss.
 // Each program is encoded, which makes equal programs equal strings; each different string is judged once: by the cache, or
 // else by the worker, whose valid verdicts go to the cache. Then every program gets its result: its own texts with the
 // verdict's facts, or the verdict's messages placed in its own texts, as equal texts may come from different authors.
+// The worker starts early where the cache is empty, as it will be asked for certain; else at the first miss.
 
 #include "validate/validate.h"
 

@@ -173,11 +173,13 @@ std::vector<int> RecipeValidator::bisect(const Candidate& candidate) {
 /// Where glslang gives no place at all, the culprit's is shown; beside messages with a place those add nothing.
 void RecipeValidator::report_messages(const Candidate& candidate, const Span& culprit) const {
   if (candidate.result.died) {
-    diagnostics_.report(DiagnosticId::validation_died, culprit,
-                        fmt::format("validating the program `{}` crashed or took too long", to_text(candidate.recipe, input_.scene)));
+    diagnostics_.report(
+        DiagnosticId::validation_died, culprit,
+        fmt::format("validating the program `{}` crashed or took too long", to_text(candidate.recipe, input_.scene)));
   }
   const auto& messages = candidate.result.messages;
-  const bool any_place = std::any_of(messages.begin(), messages.end(), [](const ShaderMessage& message) { return message.span.valid(); });
+  const bool any_place =
+      std::any_of(messages.begin(), messages.end(), [](const ShaderMessage& message) { return message.span.valid(); });
   for (const ShaderMessage& message : messages) {
     if (message.span.valid()) {
       diagnostics_.report(DiagnosticId::shader_invalid, message.span, message.text);
@@ -226,9 +228,10 @@ void RecipeValidator::leave_out(Candidate& candidate, const std::vector<int>& fa
 void RecipeValidator::leave_out_all(Candidate& candidate) {
   report_messages(candidate, {});
   for (const int index : all_effects(candidate.recipe)) {
-    diagnostics_.report(DiagnosticId::effect_left_out, effect(index).span,
-                        fmt::format("effect `{}` is left out: the program stays invalid, and {} checks did not show which effects are at fault",
-                                    effect(index).label, kMaxRechecks));
+    diagnostics_.report(
+        DiagnosticId::effect_left_out, effect(index).span,
+        fmt::format("effect `{}` is left out: the program stays invalid, and {} checks did not show which effects are at fault",
+                    effect(index).label, kMaxRechecks));
   }
   candidate = check(with_effects(candidate.recipe, {}), candidate.target, diagnostics_);
 }
@@ -266,7 +269,8 @@ std::vector<ValidRecipe> RecipeValidator::run(const std::vector<Recipe>& recipes
     repair(candidate);
     ValidRecipe& result = valid[i / targets.size()];
     if (i % targets.size() == 0) result.used = candidate.recipe;
-    if (candidate.result.program) result.targets.push_back({std::move(*candidate.result.program), std::move(candidate.composed)});
+    if (candidate.result.program)
+      result.targets.push_back({std::move(*candidate.result.program), std::move(candidate.composed)});
   }
   return valid;
 }

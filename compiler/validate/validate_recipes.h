@@ -11,12 +11,12 @@ namespace plugc {
 /// A recipe's program for one target.
 struct TargetProgram {
   ValidatedProgram program;
-  ComposedProgram composed;   ///< Its texts have moved into `program`.
+  ComposedProgram composed;  ///< Its texts have moved into `program`.
 };
 
 struct ValidRecipe {
-  Recipe used;                          ///< The recipe without what was left out.
-  std::vector<TargetProgram> targets;   ///< In the order of the targets asked for; those that failed are missing.
+  Recipe used;                         ///< The recipe without what was left out.
+  std::vector<TargetProgram> targets;  ///< In the order of the targets asked for; those that failed are missing.
 };
 
 /// How much composing and validating took, for `./dev demo` and the benchmark.
@@ -24,7 +24,7 @@ struct ValidationStatistics {
   double compose_milliseconds = 0;
   double validate_milliseconds = 0;
   std::size_t compositions = 0;
-  std::size_t rechecks = 0;             ///< Programs composed anew to find a fault.
+  std::size_t rechecks = 0;  ///< Programs composed anew to find a fault.
 };
 
 /// One result a recipe. At most kMaxRechecks programs are checked to find the faults of one recipe.

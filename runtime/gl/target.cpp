@@ -10,8 +10,10 @@ namespace {
 Renderbuffer make_renderbuffer(const Functions& gl, GLenum format, GLsizei width, GLsizei height, GLsizei samples) {
   Renderbuffer buffer = generate<Renderbuffer>(gl, gl.GenRenderbuffers);
   gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-  if (samples > 1) gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-  else gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  if (samples > 1)
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  else
+    gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
   return buffer;
 }
 
@@ -23,7 +25,9 @@ Framebuffer make_framebuffer(const Functions& gl, const Renderbuffer& color) {
   return framebuffer;
 }
 
-bool is_complete(const Functions& gl) { return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE; }
+bool is_complete(const Functions& gl) {
+  return gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
 
 }  // namespace
 

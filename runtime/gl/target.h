@@ -9,14 +9,14 @@
 namespace plugc::gl {
 
 struct ColorTarget {
-  Framebuffer framebuffer;   ///< Drawn into.
+  Framebuffer framebuffer;  ///< Drawn into.
   Renderbuffer color;
   Renderbuffer depth;
-  Framebuffer resolved;      ///< With several samples a pixel: their average, made by resolve().
+  Framebuffer resolved;  ///< With several samples a pixel: their average, made by resolve().
   Renderbuffer resolved_color;
   GLsizei width = 0;
   GLsizei height = 0;
-  GLsizei samples = 1;       ///< As asked for; the driver may give more.
+  GLsizei samples = 1;  ///< As asked for; the driver may give more.
 };
 /// No framebuffer when the driver cannot give one of that size.
 ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height, GLsizei samples);

@@ -30,8 +30,9 @@ std::vector<std::vector<std::uint8_t>> packages_of(const SceneSet& set);
 template <typename Function>
 void register_for_sets(const std::string& name, Function function) {
   for (const SceneSet& set : scene_sets()) {
-    benchmark::RegisterBenchmark((name + "/" + set.name).c_str(), [set, function](benchmark::State& state) { function(state, set); })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((name + "/" + set.name).c_str(), [set, function](benchmark::State& state) {
+      function(state, set);
+    })->Unit(benchmark::kMillisecond);
   }
 }
 

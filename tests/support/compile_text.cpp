@@ -97,4 +97,13 @@ Compiled compile_text(std::string_view text, const CompileOptions& options, std:
   return compile_file(folder.write(name, text), options);
 }
 
+std::vector<std::string> program_texts(const Compiled& compiled) {
+  std::vector<std::string> texts;
+  for (std::uint32_t program = 0; program < compiled.package->programs()->size(); ++program) {
+    texts.push_back(compiled.stage_text(program, PackedStageKind::vertex));
+    texts.push_back(compiled.stage_text(program, PackedStageKind::fragment));
+  }
+  return texts;
+}
+
 }  // namespace plugc

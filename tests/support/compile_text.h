@@ -42,6 +42,9 @@ struct Compiled {
   std::string stage_text(std::uint32_t program, PackedStageKind stage) const;
 };
 
+/// The vertex and fragment texts of every program, in order.
+std::vector<std::string> program_texts(const Compiled& compiled);
+
 /// The validator of this process. It forks when it is first asked for, so ask before any thread is started.
 Validator& process_validator();
 

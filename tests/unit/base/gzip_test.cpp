@@ -33,7 +33,9 @@ TEST(Gzip, ReadsMembersOneAfterTheOther) {
   EXPECT_EQ(gunzip(gzipped("#X3D V4.0 ") + gzipped("utf8\n"), 100), "#X3D V4.0 utf8\n");
 }
 
-TEST(Gzip, StopsABombAtTheLimit) { EXPECT_EQ(gunzip(gzipped(std::string(10'000'000, '\0')), 1'000'000), std::nullopt); }
+TEST(Gzip, StopsABombAtTheLimit) {
+  EXPECT_EQ(gunzip(gzipped(std::string(10'000'000, '\0')), 1'000'000), std::nullopt);
+}
 
 TEST(Gzip, RefusesDamagedData) {
   std::string packed = gzipped("Shape { geometry Box { } }");

@@ -35,7 +35,8 @@ class ComposeTest : public testing::Test {
   int fragment(std::string text) { return effect({{PartStage::fragment, std::move(text)}}); }
   int vertex(std::string text) { return effect({{PartStage::vertex, std::move(text)}}); }
   int shader(std::string vertex_text, std::string fragment_text) {
-    return add(scene_.shaders, shaders_, "s", {{PartStage::vertex, std::move(vertex_text)}, {PartStage::fragment, std::move(fragment_text)}});
+    return add(scene_.shaders, shaders_, "s",
+               {{PartStage::vertex, std::move(vertex_text)}, {PartStage::fragment, std::move(fragment_text)}});
   }
 
   /// An unlit shape with these effects.
@@ -74,7 +75,8 @@ class ComposeTest : public testing::Test {
   std::string said() const {
     std::string text;
     for (const Diagnostic& diagnostic : diagnostics_.all()) {
-      const Position at = diagnostic.span.valid() ? sources_.position(diagnostic.span.source, diagnostic.span.begin) : Position{};
+      const Position at =
+          diagnostic.span.valid() ? sources_.position(diagnostic.span.source, diagnostic.span.begin) : Position{};
       const std::string place = diagnostic.span.valid() ? std::string(sources_.name(diagnostic.span.source)) : "-";
       text += place + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + " " +
               std::string(diagnostic_kind(diagnostic.id).code) + ": " + diagnostic.message + "\n";

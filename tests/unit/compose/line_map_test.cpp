@@ -19,11 +19,13 @@ class LineMapTest : public ComposeTest {
 
 TEST_F(LineMapTest, LeadsFromEveryLineOfCodeToItsOwn) {
   const std::string code =
-      "#version 120\nuniform float a; // one\n\n#define K a\nvoid PLUG_fragment_modify(inout vec4 c)\n{\n  /* PLUG: level (c.r) */\n  c.r = K;\n}\n";
+      "#version 120\nuniform float a; // one\n\n#define K a\nvoid PLUG_fragment_modify(inout vec4 c)\n{\n  /* PLUG: level "
+      "(c.r) */\n  c.r = K;\n}\n";
   const int first = fragment(code), second = fragment(code);
   const std::string text = fragment_text(unlit({first, second, fragment("void PLUG_level(inout float k) {}")}));
   std::string lines;  // of the second effect, with the line that each leads to
-  for (std::size_t begin = text.find("uniform float a_2"); begin < text.size() && text.compare(begin, 4, "void PLUG_level(inout float k)") != 0;) {
+  for (std::size_t begin = text.find("uniform float a_2");
+       begin < text.size() && text.compare(begin, 4, "void PLUG_level(inout float k)") != 0;) {
     const std::size_t end = text.find('\n', begin);
     const std::string line = text.substr(begin, end - begin);
     if (origin_of(line).starts_with("e1.0:")) lines += origin_of(line).substr(5) + " " + line + "\n";

@@ -14,7 +14,9 @@ namespace {
 
 class TemplatesTest : public ComposeTest {
  protected:
-  std::string cut(const std::string& text, const Features& features) { return cut_template(sources_, sources_.add("t", text), features).text(); }
+  std::string cut(const std::string& text, const Features& features) {
+    return cut_template(sources_, sources_.add("t", text), features).text();
+  }
   std::string number(const std::string& text, int value) {
     const SourceId id = sources_.add("t", text);
     return number_names(MappedText(sources_, {id, 0, static_cast<std::uint32_t>(text.size())}), value).text();
@@ -63,7 +65,8 @@ TEST(PlugTable, ReadsParameters) {
 /// Markers of the templates: name -> the numbers of arguments that they pass.
 std::map<std::string, std::set<std::size_t>> template_markers() {
   std::map<std::string, std::set<std::size_t>> markers;
-  for (const std::string_view name : {"phong.vert", "phong.frag", "gouraud.vert", "gouraud.frag", "depth.vert", "light.glsl", "texture.frag"}) {
+  for (const std::string_view name :
+       {"phong.vert", "phong.frag", "gouraud.vert", "gouraud.frag", "depth.vert", "light.glsl", "texture.frag"}) {
     SourceSet sources;
     const std::string text(stdlib_text("templates/" + std::string(name)));
     const SourceId id = sources.add("t", text);
@@ -78,8 +81,8 @@ std::map<std::string, std::set<std::size_t>> template_markers() {
 }
 
 TEST(PlugTable, AgreesWithTheTemplatesMarkers) {
-  const std::set<std::string_view> not_called = {"tangent_object_space", "geometry_vertex_set", "geometry_vertex_zero", "geometry_vertex_add",
-                                                 "material_metallic_roughness"};
+  const std::set<std::string_view> not_called = {"tangent_object_space", "geometry_vertex_set", "geometry_vertex_zero",
+                                                 "geometry_vertex_add", "material_metallic_roughness"};
   const auto markers = template_markers();
   for (const auto& [name, counts] : markers) {
     const PlugInfo* plug = find_plug(name);
@@ -117,7 +120,8 @@ TEST(CastleNames, KnowNumbersAndKinds) {
 }
 
 TEST(CastleNames, RefuseWhatIsNotFed) {
-  for (const std::string_view name : {"castle_", "castle_TexCoord", "castle_TexCoord1234", "castle_LightSourceColor", "castle_LightSource1Colour", "gl_Vertex"}) {
+  for (const std::string_view name : {"castle_", "castle_TexCoord", "castle_TexCoord1234", "castle_LightSourceColor",
+                                      "castle_LightSource1Colour", "gl_Vertex"}) {
     EXPECT_FALSE(find_castle_name(name).has_value()) << name;
   }
 }
@@ -146,15 +150,20 @@ class FieldsTest : public ComposeTest {
 
 TEST_F(FieldsTest, AcceptsPairsThatFit) {
   check("uniform float a, b; uniform vec3 c[2]; uniform vec4 r; uniform sampler2D t; uniform mat3 m; uniform float set = 1.0;",
-        {{"a", FieldType::SFTime}, {"b", FieldType::SFFloat}, {"c", FieldType::MFColor}, {"r", FieldType::SFRotation},
-         {"t", FieldType::SFNode}, {"m", FieldType::SFMatrix3d}});
+        {{"a", FieldType::SFTime},
+         {"b", FieldType::SFFloat},
+         {"c", FieldType::MFColor},
+         {"r", FieldType::SFRotation},
+         {"t", FieldType::SFNode},
+         {"m", FieldType::SFMatrix3d}});
   EXPECT_EQ(said(), "");
 }
 
 TEST_F(FieldsTest, ReportsWhatDoesNotFit) {
   check("uniform float size;", {{"size", FieldType::SFVec3f}, {"colour", FieldType::SFColor}});
-  EXPECT_EQ(said(), "field:1:1 uniform-type: field `size` is `SFVec3f`, but its uniform is `float`\n"
-                    "field:1:1 field-without-uniform: no part of `e0` declares a uniform `colour`\n");
+  EXPECT_EQ(said(),
+            "field:1:1 uniform-type: field `size` is `SFVec3f`, but its uniform is `float`\n"
+            "field:1:1 field-without-uniform: no part of `e0` declares a uniform `colour`\n");
 }
 
 TEST_F(FieldsTest, SuggestsTheFieldThatIsMeant) {

@@ -1,6 +1,6 @@
 // Which effects are left out when the composed program fails.
-#include "compose_fixture.h"
 #include "validate/validate_recipes.h"
+#include "compose_fixture.h"
 
 namespace plugc {
 namespace {
@@ -29,8 +29,9 @@ TEST_F(ValidateRecipesTest, LeavesOutASingleCulprit) {
   const int first = good(), culprit = bad(), last = good();
   const ValidRecipe valid = run(unlit({first, culprit, last}));
   EXPECT_EQ(valid.used.effects, (std::vector<int>{first, last}));
-  EXPECT_EQ(said(), "e1.0:1:49 shader-invalid: `missing`: undeclared identifier\n"
-                    "e1:1:1 effect-left-out: effect `e1` is left out: the program is not valid with it\n");
+  EXPECT_EQ(said(),
+            "e1.0:1:49 shader-invalid: `missing`: undeclared identifier\n"
+            "e1:1:1 effect-left-out: effect `e1` is left out: the program is not valid with it\n");
 }
 
 TEST_F(ValidateRecipesTest, LeavesOutSeveralCulpritsOneByOne) {
@@ -46,7 +47,9 @@ TEST_F(ValidateRecipesTest, LeavesOutTheLatestOfAPairThatFailsTogether) {
   const int fills = fragment("void PLUG_level(inout vec3 k) {}\n");
   const ValidRecipe valid = run(unlit({offers, between, fills}));
   EXPECT_EQ(valid.used.effects, (std::vector<int>{offers, between}));
-  EXPECT_EQ(left_out(), "e2:1:1 effect-left-out: effect `e2` is left out: the effects `e0`, `e2` fail together, and it is the last of them\n");
+  EXPECT_EQ(
+      left_out(),
+      "e2:1:1 effect-left-out: effect `e2` is left out: the effects `e0`, `e2` fail together, and it is the last of them\n");
 }
 
 TEST_F(ValidateRecipesTest, FindsTheCulpritAmongManyWithinItsLimit) {
@@ -73,7 +76,8 @@ TEST_F(ValidateRecipesTest, PutsTheBaseShaderInPlaceOfAFaultyComposedShader) {
   const ValidRecipe valid = run(recipe);
   EXPECT_EQ(valid.used.shader, -1);
   EXPECT_EQ(valid.used.effects, std::vector<int>{kept});
-  EXPECT_EQ(lines_with(said(), "shader-replaced"), "s0:1:1 shader-replaced: `s0` is not valid; the base shader is used instead\n");
+  EXPECT_EQ(lines_with(said(), "shader-replaced"),
+            "s0:1:1 shader-replaced: `s0` is not valid; the base shader is used instead\n");
 }
 
 TEST_F(ValidateRecipesTest, SaysNothingOfItsTrials) {
@@ -93,17 +97,23 @@ TEST_F(ValidateRecipesTest, ReportsConsequencesOfLeavingOut) {
 }
 
 TEST_F(ValidateRecipesTest, IsValidForEveryTarget) {
-  const std::string vertex_code = "varying float h;\nattribute vec3 wind;\nvoid PLUG_vertex_object_space_change(inout vec4 v, inout vec3 n) { h = v.y; v.xyz += wind; }\n";
-  const std::string fragment_code = "#ifdef GL_ES\nprecision mediump float;\n#endif\nvarying float h; uniform float a = 0.5, b;\n"
-                                    "uniform sampler2D texture;\nvoid PLUG_main_texture_apply(inout vec4 c, const in vec3 n) { c *= texture2D(texture, vec2(h)) * a * b; }\n";
+  const std::string vertex_code =
+      "varying float h;\nattribute vec3 wind;\nvoid PLUG_vertex_object_space_change(inout vec4 v, inout vec3 n) { h = v.y; "
+      "v.xyz += wind; }\n";
+  const std::string fragment_code =
+      "#ifdef GL_ES\nprecision mediump float;\n#endif\nvarying float h; uniform float a = 0.5, b;\n"
+      "uniform sampler2D texture;\nvoid PLUG_main_texture_apply(inout vec4 c, const in vec3 n) { c *= texture2D(texture, "
+      "vec2(h)) * a * b; }\n";
   std::vector<int> effects;
-  for (int i = 0; i < 3; ++i) effects.push_back(effect({{PartStage::vertex, vertex_code}, {PartStage::fragment, fragment_code}}));
+  for (int i = 0; i < 3; ++i)
+    effects.push_back(effect({{PartStage::vertex, vertex_code}, {PartStage::fragment, fragment_code}}));
   LightRecipe spot;
   spot.kind = LightKind::spot;
   spot.ambient = spot.attenuation = spot.radius = spot.beam_width = spot.shadow = spot.shadow_intensity = true;
   for (const bool gouraud : {false, true}) {
     Recipe recipe = lit(effects, {LightRecipe{}, spot});
-    recipe.specular = recipe.ambient = recipe.emissive = recipe.two_sided = recipe.color_per_vertex = recipe.alpha_test = recipe.vertex_eye = true;
+    recipe.specular = recipe.ambient = recipe.emissive = recipe.two_sided = recipe.color_per_vertex = recipe.alpha_test =
+        recipe.vertex_eye = true;
     recipe.gouraud = gouraud;
     if (gouraud) recipe.lights[1].shadow = false;
     recipe.textures.resize(2);

@@ -78,7 +78,8 @@ TEST(Document, DecodesNamesOfJson) {
 }
 
 TEST(Document, JoinsTheLinesOfShaderCode) {
-  const Reading reading(json("{\"ShaderPart\":{\"#sourceCode\":[\"\",\n\"void main()\",\n\"{ }\"\n]}},\n{\"EffectPart\":{\"#cdata\":\"a\\nb\"}}"));
+  const Reading reading(json(
+      "{\"ShaderPart\":{\"#sourceCode\":[\"\",\n\"void main()\",\n\"{ }\"\n]}},\n{\"EffectPart\":{\"#cdata\":\"a\\nb\"}}"));
   ASSERT_EQ(reading.messages(), "");
   const MappedText& lines = reading.document.strings.at(0);
   EXPECT_EQ(lines.text(), "\nvoid main()\n{ }");
@@ -88,26 +89,31 @@ TEST(Document, JoinsTheLinesOfShaderCode) {
 }
 
 TEST(Document, ReadsInterfacesOfJson) {
-  EXPECT_EQ(dump_of(json("{\"Effect\":{\"field\":[\n{\"@name\":\"a\",\"@type\":\"SFFloat\",\"@accessType\":\"inputOutput\",\"@value\":0.5},\n"
-                         "{\"@accessType\":\"initializeOnly\",\"@type\":\"MFNode\",\"@name\":\"b\",\"-children\":[{\"Box\":{}},{\"#comment\":\"x\"}]},\n"
-                         "{\"@accessType\":\"inputOnly\",\"@type\":\"SFTime\",\"@name\":\"c\"}]}}")),
-            "document json 4.0\n"
-            "2:2 Effect\n"
-            "  3:1 inputOutput SFFloat a 0.5\n"
-            "  4:1 initializeOnly MFNode b\n"
-            "    4:76 Box\n"
-            "  5:1 inputOnly SFTime c\n");
+  EXPECT_EQ(
+      dump_of(json(
+          "{\"Effect\":{\"field\":[\n{\"@name\":\"a\",\"@type\":\"SFFloat\",\"@accessType\":\"inputOutput\",\"@value\":0.5},\n"
+          "{\"@accessType\":\"initializeOnly\",\"@type\":\"MFNode\",\"@name\":\"b\",\"-children\":[{\"Box\":{}},{\"#comment\":"
+          "\"x\"}]},\n"
+          "{\"@accessType\":\"inputOnly\",\"@type\":\"SFTime\",\"@name\":\"c\"}]}}")),
+      "document json 4.0\n"
+      "2:2 Effect\n"
+      "  3:1 inputOutput SFFloat a 0.5\n"
+      "  4:1 initializeOnly MFNode b\n"
+      "    4:76 Box\n"
+      "  5:1 inputOnly SFTime c\n");
 }
 
 TEST(Document, ReadsPrototypesOfJson) {
   EXPECT_EQ(
-      dump_of(json("{\"ProtoDeclare\":{\"@name\":\"P\",\"ProtoInterface\":{\"field\":[\n{\"@name\":\"r\",\"@type\":\"SFFloat\","
-                   "\"@accessType\":\"inputOutput\",\"@value\":2}]},\n\"ProtoBody\":{\"-children\":[{\"Sphere\":{\"IS\":{\"connect\":"
-                   "[{\"@nodeField\":\"radius\",\"@protoField\":\"r\"}]}}},\n{\"ROUTE\":{\"@fromNode\":\"A\",\"@fromField\":\"b\","
-                   "\"@toNode\":\"C\",\"@toField\":\"d\"}}]}}},\n{\"ExternProtoDeclare\":{\"@name\":\"E\",\"@url\":[\"urn:e\",\"e.x3d\"],"
-                   "\"field\":[\n{\"@name\":\"t\",\"@type\":\"SFTime\",\"@accessType\":\"inputOnly\"}]}},\n"
-                   "{\"ProtoInstance\":{\"@DEF\":\"D\",\"fieldValue\":[{\"@name\":\"r\",\"@value\":\"3\"},\n"
-                   "{\"@name\":\"n\",\"-children\":[{\"Box\":{}}]}],\"@name\":\"P\"}},\n{\"ProtoInstance\":{\"@USE\":\"D\"}}")),
+      dump_of(json(
+          "{\"ProtoDeclare\":{\"@name\":\"P\",\"ProtoInterface\":{\"field\":[\n{\"@name\":\"r\",\"@type\":\"SFFloat\","
+          "\"@accessType\":\"inputOutput\",\"@value\":2}]},\n\"ProtoBody\":{\"-children\":[{\"Sphere\":{\"IS\":{\"connect\":"
+          "[{\"@nodeField\":\"radius\",\"@protoField\":\"r\"}]}}},\n{\"ROUTE\":{\"@fromNode\":\"A\",\"@fromField\":\"b\","
+          "\"@toNode\":\"C\",\"@toField\":\"d\"}}]}}},\n{\"ExternProtoDeclare\":{\"@name\":\"E\",\"@url\":[\"urn:e\",\"e.x3d\"]"
+          ","
+          "\"field\":[\n{\"@name\":\"t\",\"@type\":\"SFTime\",\"@accessType\":\"inputOnly\"}]}},\n"
+          "{\"ProtoInstance\":{\"@DEF\":\"D\",\"fieldValue\":[{\"@name\":\"r\",\"@value\":\"3\"},\n"
+          "{\"@name\":\"n\",\"-children\":[{\"Box\":{}}]}],\"@name\":\"P\"}},\n{\"ProtoInstance\":{\"@USE\":\"D\"}}")),
       "document json 4.0\n"
       "2:2 PROTO P\n"
       "  3:1 inputOutput SFFloat r 2\n"
@@ -130,8 +136,10 @@ TEST(Document, ConnectsAFieldThatJsonDeclaresLater) {
 }
 
 TEST(Document, ReadsImportsAndExportsOfJson) {
-  EXPECT_EQ(dump_of(json("{\"IMPORT\":{\"@inlineDEF\":\"I\",\"@importedDEF\":\"a\",\"@AS\":\"b\"}},\n{\"EXPORT\":{\"@localDEF\":\"b\"}}")),
-            "document json 4.0\n2:2 IMPORT I.a AS b\n3:2 EXPORT b AS b\n");
+  EXPECT_EQ(
+      dump_of(json(
+          "{\"IMPORT\":{\"@inlineDEF\":\"I\",\"@importedDEF\":\"a\",\"@AS\":\"b\"}},\n{\"EXPORT\":{\"@localDEF\":\"b\"}}")),
+      "document json 4.0\n2:2 IMPORT I.a AS b\n3:2 EXPORT b AS b\n");
 }
 
 TEST(Document, PutsANodeOfJsonIntoTheFieldThatItNames) {
@@ -141,14 +149,17 @@ TEST(Document, PutsANodeOfJsonIntoTheFieldThatItNames) {
 }
 
 TEST(Document, TakesCommentsAndStatementsOfJsonForNoChildren) {
-  EXPECT_EQ(dump_of(json("{\"Shape\":{\"-children\":[{\"#comment\":\"c\"},\n{\"ROUTE\":{\"@fromNode\":\"A\",\"@fromField\":\"b\","
-                         "\"@toNode\":\"C\",\"@toField\":\"d\"}}],\n\"-geometry\":null,\"-effects\":[]}}")),
-            "document json 4.0\n2:2 Shape\n  4:3 field geometry NULL\n  4:20 field effects NULL\n  3:2 ROUTE A.b TO C.d\n");
+  EXPECT_EQ(
+      dump_of(json("{\"Shape\":{\"-children\":[{\"#comment\":\"c\"},\n{\"ROUTE\":{\"@fromNode\":\"A\",\"@fromField\":\"b\","
+                   "\"@toNode\":\"C\",\"@toField\":\"d\"}}],\n\"-geometry\":null,\"-effects\":[]}}")),
+      "document json 4.0\n2:2 Shape\n  4:3 field geometry NULL\n  4:20 field effects NULL\n  3:2 ROUTE A.b TO C.d\n");
 }
 
 TEST(Document, PassesOverRemarksOfJson) {
-  EXPECT_EQ(dump_of("{\"$id\":1,\"X3D\":{\"encoding\":\"UTF-8\",\"@profile\":\"Full\",\"@version\":\"3.3\",\"JSON schema\":\"x\",\"head\":{\"meta\":[{}]},\n"
-                    "\"Scene\":{\"#comment\":\"c\",\"-children\":[{\"#comment\":[\"a\"]},{\"Box\":{\"#comment\":\"c\",\"@class\":\"k\"}}]}}}"),
+  EXPECT_EQ(dump_of("{\"$id\":1,\"X3D\":{\"encoding\":\"UTF-8\",\"@profile\":\"Full\",\"@version\":\"3.3\",\"JSON "
+                    "schema\":\"x\",\"head\":{\"meta\":[{}]},\n"
+                    "\"Scene\":{\"#comment\":\"c\",\"-children\":[{\"#comment\":[\"a\"]},{\"Box\":{\"#comment\":\"c\",\"@"
+                    "class\":\"k\"}}]}}}"),
             "document json 3.3\n2:58 Box\n");
 }
 
@@ -196,7 +207,9 @@ TEST(Document, ReadsAStringOverSeveralLinesAndSaysSo) {
 TEST(Document, ReportsEscapesThatAreNone) {
   EXPECT_EQ(field_of(R"("a\db")"), "2:14 1 this `\\` begins no escape of JSON; write `\\\\`\nfield b = \"a\\\\db\"\n");
   EXPECT_EQ(field_of(R"("\uD83Dx")"), "2:13 6 `\\uD83D` is no character\nfield b = \"\xEF\xBF\xBDx\"\n");
-  EXPECT_EQ(field_of(R"("\u12")"), "2:13 2 `\\u` is no character\nfield b = \"\xEF\xBF\xBD" "12\"\n");
+  EXPECT_EQ(field_of(R"("\u12")"),
+            "2:13 2 `\\u` is no character\nfield b = \"\xEF\xBF\xBD"
+            "12\"\n");
 }
 
 TEST(Document, UnderstandsNumbersThatJsonDoesNotWrite) {
@@ -228,12 +241,14 @@ TEST(Document, ReportsCommentsOfJsonOnce) {
 
 TEST(Document, ReportsWhatIsNoNodeOfJson) {
   EXPECT_EQ(messages_of(json("{\"A\":{},\"B\":{}}")), "2:10 1 give `B` an object of its own: an object holds one node\n");
-  EXPECT_EQ(messages_of(json("3, {\"@DEF\":\"x\"}")), "2:1 1 expected a node, found `3`\n2:6 4 expected the type of a node, found `@DEF`\n");
+  EXPECT_EQ(messages_of(json("3, {\"@DEF\":\"x\"}")),
+            "2:1 1 expected a node, found `3`\n2:6 4 expected the type of a node, found `@DEF`\n");
   EXPECT_EQ(messages_of(json("{\"A\":7}")), "2:6 1 expected an object for `A`, found `7`\n");
   EXPECT_EQ(messages_of(json("{\"A\":{\"b\":1}}")),
             "2:8 1 expected `@` before the name of a field, or `-` before that of a field for nodes, found `b`\n");
   EXPECT_EQ(messages_of("{\"asset\":{}}"), "1:1 1 this object holds no `X3D`\n");
-  EXPECT_EQ(messages_of("{\"X3D\":{\"scene\":{}}}"), "1:10 5 expected `head` or `Scene`, found `scene`\n1:3 3 `X3D` holds no `Scene`\n");
+  EXPECT_EQ(messages_of("{\"X3D\":{\"scene\":{}}}"),
+            "1:10 5 expected `head` or `Scene`, found `scene`\n1:3 3 `X3D` holds no `Scene`\n");
 }
 
 TEST(Document, ReportsStatementsOfJsonThatLackAKey) {

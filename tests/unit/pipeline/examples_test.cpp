@@ -39,8 +39,9 @@ TEST_P(Example, DrawsThePictureOfItsReadme) {
   const Image expected = read_picture(folder / (GetParam() + ".png"));
   ASSERT_GT(expected.width, 0U);
   const fs::path drawn = fs::path(testing::TempDir()) / (GetParam() + ".png");
-  const std::string command = std::string(PLUGC_BINARY_DIR) + "/bin/plugc preview " + (folder / (GetParam() + ".x3dv")).string() + " -o " +
-                              drawn.string() + " --samples 4 --no-cache --size " + std::to_string(expected.width) + "x" +
+  const std::string command = std::string(PLUGC_BINARY_DIR) + "/bin/plugc preview " +
+                              (folder / (GetParam() + ".x3dv")).string() + " -o " + drawn.string() +
+                              " --samples 4 --no-cache --size " + std::to_string(expected.width) + "x" +
                               std::to_string(expected.height);
   ASSERT_EQ(std::system(command.c_str()), 0);
   // one rasteriser, one picture: what is left is rounding between code generators

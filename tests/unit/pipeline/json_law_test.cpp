@@ -108,15 +108,6 @@ constexpr std::string_view kJson = R"({ "X3D": {
   ] } } }
 )";
 
-std::vector<std::string> program_texts(const Compiled& compiled) {
-  std::vector<std::string> texts;
-  for (std::uint32_t program = 0; program < compiled.package->programs()->size(); ++program) {
-    texts.push_back(compiled.stage_text(program, PackedStageKind::vertex));
-    texts.push_back(compiled.stage_text(program, PackedStageKind::fragment));
-  }
-  return texts;
-}
-
 TEST(JsonLaw, OneSceneInThreeEncodingsComposesToTheSameTexts) {
   const Compiled classic = compile_text(kClassic);
   const Compiled xml = compile_text(kXml, {}, "scene.x3d");
@@ -133,7 +124,8 @@ TEST(JsonLaw, AMistakeInALineOfCodeStandsAtThatLine) {
   const std::string_view right = "PLUG_fragment_modify(inout vec4 color)";
   faulty.replace(faulty.find(right), right.size(), "PLUG_fragment_modfy(inout vec4 color)");
   EXPECT_THAT(compile_text(faulty, {}, "scene.x3dj").messages(),
-              testing::Contains("31:23 effect-unknown-plug no plug `fragment_modfy` in a fragment stage; did you mean `fragment_modify`?"));
+              testing::Contains(
+                  "31:23 effect-unknown-plug no plug `fragment_modfy` in a fragment stage; did you mean `fragment_modify`?"));
 }
 
 TEST(JsonLaw, AnInlinedJsonFileIsReadByItsContent) {

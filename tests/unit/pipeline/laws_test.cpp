@@ -62,15 +62,6 @@ void PLUG_fragment_modify(inout vec4 color) { color.r = level + 0.1 * height; }
 </X3D>
 )";
 
-std::vector<std::string> program_texts(const Compiled& compiled) {
-  std::vector<std::string> texts;
-  for (std::uint32_t program = 0; program < compiled.package->programs()->size(); ++program) {
-    texts.push_back(compiled.stage_text(program, PackedStageKind::vertex));
-    texts.push_back(compiled.stage_text(program, PackedStageKind::fragment));
-  }
-  return texts;
-}
-
 TEST(Laws, OneSceneInTwoEncodingsComposesToTheSameTexts) {
   const Compiled classic = compile_text(kClassic);
   const Compiled xml = compile_text(kXml, {}, "scene.x3d");
