@@ -210,8 +210,7 @@ int effect_index(SceneContext& context, NodeId node) {
   if (!context.graph.is(node, "Effect")) return -1;
   if (const auto found = context.effects.find(node); found != context.effects.end()) return found->second;
   int& index = context.effects[node] = -1;
-  const bool off_for_good = !context.graph.boolean(node, "enabled") && !context.slots.is_routed(node, "enabled");
-  if (!context.options.all_branches && off_for_good) return -1;
+  if (!context.options.all_branches && !context.graph.boolean(node, "enabled")) return -1;
   if (!is_glsl(context, node, "an effect")) return -1;
   SceneEffect effect = read_shader_node(context, node);
   effect.warn_missing_uniforms = context.graph.string(node, "uniformMissing") != "IGNORE";

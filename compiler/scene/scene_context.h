@@ -33,7 +33,7 @@ struct SceneContext {
 /// A node's DEF name, or its type.
 std::string node_label(const NodeGraph& graph, NodeId node);
 
-/// The effect's index; -1 when it is off for good, in an unknown language, or NULL.
+/// The effect's index; -1 when it is off, in an unknown language, or NULL.
 int effect_index(SceneContext& context, NodeId effect);
 /// The `effects` field of an Appearance, a light or a texture.
 std::vector<int> effect_list(SceneContext& context, NodeId owner);
