@@ -24,14 +24,14 @@ class Placer {
   void place();
 
  private:
-  void add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, Scope scope);
-  void add_template(std::string_view name, ShaderStage stage, const Features& features, Scope scope);
+  void add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, PlugScope scope);
+  void add_template(std::string_view name, ShaderStage stage, const Features& features, PlugScope scope);
   void place_base();
   bool place_shader();
   void place_light(int number);
   void place_texture(int number);
-  void place_effects(const std::vector<int>& effects, Scope scope);
-  void place_code(const EffectCode& code, std::size_t owner, Scope scope);
+  void place_effects(const std::vector<int>& effects, PlugScope scope);
+  void place_code(const EffectCode& code, std::size_t owner, PlugScope scope);
   void place_wanted_coordinates();
   void place_libraries();
   bool base_has_marker(std::string_view name) const;
@@ -46,7 +46,7 @@ class Placer {
   bool base_adds_lights_ = false;          // the base shader has the plug `add_light`, not only its older form
 };
 
-void Placer::add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, Scope scope) {
+void Placer::add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, PlugScope scope) {
   PlacedUnit unit;
   unit.calls.resize(code->outline.markers.size());
   unit.function_names.resize(code->outline.functions.size());
@@ -57,7 +57,7 @@ void Placer::add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::s
   c_.units.push_back(std::move(unit));
 }
 
-void Placer::add_template(std::string_view name, ShaderStage stage, const Features& features, Scope scope) {
+void Placer::add_template(std::string_view name, ShaderStage stage, const Features& features, PlugScope scope) {
   add(c_.input.templates.get(name, stage, features, scope.number), stage, 0, scope);
 }
 
@@ -136,7 +136,7 @@ void Placer::place_base() {
 
 void Placer::place_light(int number) {
   const LightRecipe& light = recipe_.lights[static_cast<std::size_t>(number)];
-  const Scope scope{ScopeKind::light, number};
+  const PlugScope scope{ScopeKind::light, number};
   add_template("light.glsl", lighting_, light_features(light), scope);
   if (!light.shadow) return;
   add_template("shadow.vert", ShaderStage::vertex, {}, scope);
@@ -174,7 +174,7 @@ void Placer::place_libraries() {
   for (const ShaderStage stage : stages) add_template("eye_world_space.glsl", stage, {}, {});
 }
 
-void Placer::place_code(const EffectCode& code, std::size_t owner, Scope scope) {
+void Placer::place_code(const EffectCode& code, std::size_t owner, PlugScope scope) {
   for (const EffectCode::Part& any_form : code.parts) {
     const EffectCode::Part& part = any_form.form(c_.target);
     if (part.stage == PartStage::light) {
@@ -187,7 +187,7 @@ void Placer::place_code(const EffectCode& code, std::size_t owner, Scope scope) 
   }
 }
 
-void Placer::place_effects(const std::vector<int>& effects, Scope scope) {
+void Placer::place_effects(const std::vector<int>& effects, PlugScope scope) {
   for (const int effect : effects) {
     c_.owners.push_back({OwnerKind::effect, effect, {}});
     place_code(c_.input.effects[static_cast<std::size_t>(effect)], c_.owners.size() - 1, scope);
@@ -203,7 +203,7 @@ void Placer::place() {
   if (recipe_.alpha_test) add_template("alpha_test.frag", ShaderStage::fragment, {}, {});
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) {
     const LightRecipe& light = recipe_.lights[i];
-    const Scope scope{ScopeKind::light, static_cast<int>(i)};
+    const PlugScope scope{ScopeKind::light, static_cast<int>(i)};
     place_effects(light.effects, scope);
     if (light.shadow) {
       add_template("shadow.glsl", lighting_, light.shadow_intensity ? Features{"SHADOW_INTENSITY"} : Features{}, scope);

@@ -19,10 +19,10 @@ enum class OwnerKind : std::uint8_t { renderer, effect, shader };
 
 /// What a unit acts on: the whole shape, one light or one texture.
 enum class ScopeKind : std::uint8_t { shape, light, texture };
-struct Scope {
+struct PlugScope {
   ScopeKind kind = ScopeKind::shape;
   int number = -1;
-  friend auto operator<=>(Scope, Scope) = default;
+  friend auto operator<=>(PlugScope, PlugScope) = default;
 };
 
 struct Owner {
@@ -42,7 +42,7 @@ struct PlacedUnit {
   std::shared_ptr<const CodeUnit> code;
   ShaderStage stage = ShaderStage::vertex;
   std::size_t owner = 0;  ///< Into Composition::owners; 0 is the renderer.
-  Scope scope;
+  PlugScope scope;
   bool of_shadow = false;                    ///< Without it the shape merely shows no shadow of its light.
   bool dropped = false;                      ///< A piece of the renderer whose plugs the base shader lacks.
   std::vector<std::string> function_names;   ///< Final names of plug functions by function; others are empty.

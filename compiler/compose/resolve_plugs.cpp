@@ -57,7 +57,7 @@ class PlugResolver {
   Composition& c_;
   std::map<std::pair<ShaderStage, std::string_view>, std::vector<MarkerPlace>> markers_;
   std::set<std::string, std::less<>> filled_;
-  std::set<Scope> dropped_scopes_, dropped_shadows_;
+  std::set<PlugScope> dropped_scopes_, dropped_shadows_;
   std::map<std::string_view, std::size_t> definitions_;  // of the unit at hand: how many functions have the name
   std::size_t call_bytes_ = 0;
 };
@@ -92,7 +92,7 @@ std::vector<MarkerPlace> PlugResolver::find_markers(std::size_t index, std::size
     const bool of_effect = c_.owners[other.owner].kind == OwnerKind::effect;
     const bool in_itself = place.unit == index && marker_at(place).enclosing_function == f;
     if (in_itself || other.dropped || (of_effect && place.unit >= index)) continue;
-    if (limited && other.scope != (own_scope ? unit.scope : Scope())) continue;
+    if (limited && other.scope != (own_scope ? unit.scope : PlugScope())) continue;
     found.push_back(place);
   }
   return found;

@@ -89,7 +89,7 @@ std::optional<VerdictMessage> mistake_before_parsing(Target target, const Candid
     const auto line = 1 + std::count(stage.text.begin(), stage.text.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
     return VerdictMessage{stage.stage, static_cast<std::uint32_t>(line), {}, "the text holds a zero byte"};
   }
-  const VersionDirective version = read_version_directive(stage.text);
+  const WrittenVersion version = read_version_directive(stage.text);
   if (fits(version, target)) return std::nullopt;
   return VerdictMessage{stage.stage, version.line, "#version", mismatch_text(version, target)};
 }

@@ -38,19 +38,19 @@ bool take_directive(std::string_view& text, std::string_view name) {
   return true;
 }
 
-std::string shown(const VersionDirective& version) {
+std::string shown(const WrittenVersion& version) {
   return version.profile.empty() ? fmt::format("#version {}", version.number)
                                  : fmt::format("#version {} {}", version.number, version.profile);
 }
 
 }  // namespace
 
-VersionDirective read_version_directive(std::string_view text) {
+WrittenVersion read_version_directive(std::string_view text) {
   std::string_view rest = text;
   do {
     skip(rest, " \t\v\f\r\n");
   } while (skip_comment(rest));
-  VersionDirective version;
+  WrittenVersion version;
   const auto before = static_cast<std::ptrdiff_t>(text.size() - rest.size());
   if (!take_directive(rest, "version")) return version;
   version.line = 1 + static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + before, '\n'));
@@ -63,7 +63,7 @@ VersionDirective read_version_directive(std::string_view text) {
   return version;
 }
 
-bool fits(const VersionDirective& version, Target target) {
+bool fits(const WrittenVersion& version, Target target) {
   const bool embedded = version.profile == "es" || version.number == 100;
   switch (target) {
     case Target::glsl330:  // a core context knows nothing below 140
@@ -74,7 +74,7 @@ bool fits(const VersionDirective& version, Target target) {
   return false;
 }
 
-std::string mismatch_text(const VersionDirective& version, Target target) {
+std::string mismatch_text(const WrittenVersion& version, Target target) {
   constexpr std::string_view kNeeds[] = {"`#version 140` to `#version 330 core`", "`#version 300 es`",
                                          "at least `#version 330 core`"};
   const std::string_view needs = kNeeds[static_cast<std::size_t>(target)];
