@@ -83,8 +83,8 @@ SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions
   ValidationStatistics validation;
   const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
   prepared.parts.programs = validate_recipes(prepared.recipes, input, options.targets, validator, diagnostics, validation);
-  for (std::size_t i = 0; i < prepared.parts.programs.size(); ++i) {
-    prepared.parts.program_names[i] = to_text(prepared.parts.programs[i].used, prepared.parts.scene);
+  for (const ValidRecipe& program : prepared.parts.programs) {
+    prepared.parts.program_names.push_back(to_text(program.used, prepared.parts.scene));
   }
   // from here no PLUG marker remains, every program is valid and named by what it holds
   statistics.compose += validation.compose_milliseconds;
@@ -122,7 +122,7 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
   std::string text;
   if (stage != "recipes") return text;
   const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
-  for (std::size_t i = 0; i < prepared.recipes.size(); ++i) text += fmt::format("{} {}\n", i, prepared.parts.program_names[i]);
+  for (std::size_t i = 0; i < prepared.recipes.size(); ++i) text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i], prepared.parts.scene));
   return text;
 }
 

@@ -71,7 +71,6 @@ void prepare_recipes(PreparedScene& prepared) {
         shape.casts_shadow && !plan.blended && !parts.scene.shadow_maps.empty() && plan.mesh->topology == Topology::triangles;
     if (casts) plan.depth_program = recipe_index(make_depth_recipe(recipe, prepared.effects));
   }
-  for (const Recipe& recipe : prepared.recipes) parts.program_names.push_back(to_text(recipe, parts.scene));
 }
 
 }  // namespace

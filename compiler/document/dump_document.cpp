@@ -70,16 +70,6 @@ std::string_view encoding_name(Encoding encoding) {
   return "";
 }
 
-std::string_view access_name(AccessType access) {
-  switch (access) {
-    case AccessType::initialize_only: return "initializeOnly";
-    case AccessType::input_only: return "inputOnly";
-    case AccessType::output_only: return "outputOnly";
-    case AccessType::input_output: return "inputOutput";
-  }
-  return "";
-}
-
 void Dump::header() {
   text_ +=
       fmt::format("document {} {}.{}\n", encoding_name(document_.encoding), document_.version_major, document_.version_minor);
@@ -139,7 +129,7 @@ void Dump::node(const NodeSyntax& node) {
 }
 
 void Dump::interface(const InterfaceSyntax& field) {
-  line(field.span, "{} {} {}{}", access_name(field.access), field.type.text, field.name.text, value_text(field.value));
+  line(field.span, "{} {} {}{}", to_text(field.access), field.type.text, field.name.text, value_text(field.value));
   nested_nodes(field.value);
 }
 
@@ -183,6 +173,16 @@ std::string Dump::strings_text(Range<MappedText> strings) const {
 }
 
 }  // namespace
+
+std::string_view to_text(AccessType access) {
+  switch (access) {
+    case AccessType::initialize_only: return "initializeOnly";
+    case AccessType::input_only: return "inputOnly";
+    case AccessType::output_only: return "outputOnly";
+    case AccessType::input_output: return "inputOutput";
+  }
+  return "";
+}
 
 std::string dump_document(const Document& document, const SourceSet& sources) {
   Dump dump(document, sources);

@@ -20,6 +20,9 @@ Document read_xml(SourceId source, const SourceSet& sources, Diagnostics& diagno
 /// JSON X3D. Comments and other liberties that RFC 8259 does not grant are reported and understood.
 Document read_json(SourceId source, const SourceSet& sources, Diagnostics& diagnostics);
 
+/// The X3D word: `inputOutput`, ...
+std::string_view to_text(AccessType access);
+
 /// `plugc inspect --dump document`: one line a node, field and statement, with places.
 std::string dump_document(const Document& document, const SourceSet& sources);
 

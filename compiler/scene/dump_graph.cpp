@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/source.h"
+#include "document/read_document.h"
 #include "scene/node_graph.h"
 
 namespace plugc {
@@ -48,16 +49,6 @@ std::string show(const FieldValue& value) {
   return show_list(value.numbers);
 }
 
-std::string_view show(AccessType access) {
-  switch (access) {
-    case AccessType::initialize_only: return "initializeOnly";
-    case AccessType::input_only: return "inputOnly";
-    case AccessType::output_only: return "outputOnly";
-    case AccessType::input_output: return "inputOutput";
-  }
-  return "";
-}
-
 std::string show_place(const Span& span, const SourceSet& sources) {
   if (!span.valid()) return "";
   const Position at = sources.position(span.source, span.begin);
@@ -68,7 +59,7 @@ std::string show_fields(const GraphNode& node) {
   std::string shown;
   const auto add = [&](const std::string& field) { shown.append(shown.empty() ? " " : "; ").append(field); };
   for (const InterfaceField& field : node.interface) {
-    add(fmt::format("{} {} {}{}", show(field.access), to_text(field.type), field.name,
+    add(fmt::format("{} {} {}{}", to_text(field.access), to_text(field.type), field.name,
                     field.has_value ? show(field.value) : ""));
   }
   for (const WrittenField& field : node.fields) add(fmt::format("{}{}", field.info->name, show(field.value)));
