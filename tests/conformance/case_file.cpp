@@ -38,12 +38,21 @@ CaseFile read_case_file(const fs::path& path, const fs::path& folder) {
   return file;
 }
 
+bool is_titled(const CaseSection& section, std::string_view title, std::string_view second) {
+  if (section.title.empty() || section.title.front() != title) return false;
+  return second.empty() || (section.title.size() > 1 && section.title[1] == second);
+}
+
+bool is_input(const CaseSection& section) {
+  const std::string& kind = section.title.front();
+  return kind == "file" || kind == "scene" || kind == "image" || kind == "options";
+}
+
 }  // namespace
 
-const CaseSection* CaseFile::find(std::string_view title) const {
-  const auto found = std::find_if(sections.begin(), sections.end(), [&](const CaseSection& section) {
-    return !section.title.empty() && section.title.front() == title;
-  });
+const CaseSection* CaseFile::find(std::string_view title, std::string_view second) const {
+  const auto found = std::find_if(sections.begin(), sections.end(),
+                                  [&](const CaseSection& section) { return is_titled(section, title, second); });
   return found == sections.end() ? nullptr : &*found;
 }
 
@@ -64,14 +73,16 @@ std::string section_text(const CaseSection& section) {
   return text;
 }
 
-void rewrite_diagnostics(CaseFile file, const std::vector<std::string>& lines) {
-  const auto is_diagnostics = [](const CaseSection& section) { return section.title.front() == "diagnostics"; };
+void rewrite_diagnostics(CaseFile& file, std::string_view scene, const std::vector<std::string>& lines) {
+  const auto is_diagnostics = [&](const CaseSection& section) { return is_titled(section, "diagnostics", scene); };
   auto place = std::find_if(file.sections.begin(), file.sections.end(), is_diagnostics);
   if (place == file.sections.end()) {  // behind the scene's files, in front of what is expected of the program
-    place = std::find_if(file.sections.begin(), file.sections.end(), [](const CaseSection& section) {
-      return section.title.front() != "file" && section.title.front() != "image" && section.title.front() != "options";
+    place = std::find_if_not(file.sections.begin(), file.sections.end(), [](const CaseSection& section) {
+      return is_input(section) || section.title.front() == "diagnostics";
     });
-    place = file.sections.insert(place, {{"diagnostics"}, 0, {}});
+    CaseSection section{{"diagnostics"}, 0, {}};
+    if (!scene.empty()) section.title.emplace_back(scene);
+    place = file.sections.insert(place, std::move(section));
   }
   place->lines = lines;
   if (lines.empty()) file.sections.erase(place);

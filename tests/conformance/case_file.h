@@ -3,9 +3,12 @@
 //
 //     # What the case shows, in a sentence or two.
 //     --- file scene.x3dv          the first file is compiled; further ones lie beside it
+//     --- scene scene.x3d          in place of it, several times: each is compiled, and all that stands below holds for each
 //     --- image wood.png           rows of pixels, top first, as RRGGBBAA; written as a PNG
 //     --- options                  a word a line: lint; stage teapot; target essl300
 //     --- diagnostics              everything that is said, in order: `LINE:COLUMN code message`; absent: nothing
+//     --- diagnostics scene.x3d    the same of one scene of several
+//     --- graph                    lines that `--dump scene` begins with hold in this order, without the places
 //     --- fragment 0               lines that the fragment stage of program 0 holds in this order, blanks aside
 //     --- fragment 0 lacks         lines that it does not hold
 //     --- programs                 how many programs the package has
@@ -29,14 +32,16 @@ struct CaseFile {
   std::vector<std::string> head;  ///< The lines above the first section.
   std::vector<CaseSection> sections;
 
-  const CaseSection* find(std::string_view title) const;
+  /// The first section of that title, and with that second word if one is asked for.
+  const CaseSection* find(std::string_view title, std::string_view second = "") const;
 };
 
 /// Every .case below a folder, in name order.
 std::vector<CaseFile> read_case_files(const std::filesystem::path& folder);
 
-/// Writes the file anew with other lines in its `diagnostics` section, which goes away when there are none.
-void rewrite_diagnostics(CaseFile file, const std::vector<std::string>& lines);
+/// Writes the file anew with other lines in the `diagnostics` section of `scene` ("" where there is but one scene), which
+/// goes away when there are none.
+void rewrite_diagnostics(CaseFile& file, std::string_view scene, const std::vector<std::string>& lines);
 
 /// The lines joined again, each with its end.
 std::string section_text(const CaseSection& section);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -47,16 +48,23 @@ void write_image(const SceneFolder& folder, const CaseSection& section) {
   EXPECT_TRUE(write_png((folder.path() / section.title.at(1)).string(), width, height, pixels, true));
 }
 
-/// Writes the case's files and returns the scene among them.
-fs::path write_files(const CaseFile& file, const SceneFolder& folder) {
-  fs::path scene;
+/// The names of the files that are compiled.
+std::vector<std::string> scene_names(const CaseFile& file) {
+  std::vector<std::string> names;
   for (const CaseSection& section : file.sections) {
-    if (section.title.front() == "image") write_image(folder, section);
-    if (section.title.front() != "file") continue;
-    const fs::path path = folder.write(section.title.at(1), section_text(section));
-    if (scene.empty()) scene = path;
+    if (section.title.front() == "scene") names.push_back(section.title.at(1));
   }
-  return scene;
+  const CaseSection* first = file.find("file");
+  if (names.empty() && first != nullptr) names.push_back(first->title.at(1));
+  return names;
+}
+
+void write_files(const CaseFile& file, const SceneFolder& folder) {
+  for (const CaseSection& section : file.sections) {
+    const std::string& kind = section.title.front();
+    if (kind == "image") write_image(folder, section);
+    if (kind == "file" || kind == "scene") folder.write(section.title.at(1), section_text(section));
+  }
 }
 
 CompileOptions read_options(const CaseFile& file) {
@@ -147,6 +155,14 @@ void expect_pixels(const Compiled& compiled, const CaseSection& section) {
   }
 }
 
+/// `--dump scene` without the places, which differ between encodings.
+std::string graph_text(const fs::path& scene, const CompileOptions& options) {
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  static const std::regex place(R"( \([^()]*:\d+:\d+\))");
+  return std::regex_replace(dump_stage(scene, "scene", options, sources, diagnostics), place, "");
+}
+
 void expect_section(const Compiled& compiled, const CaseSection& section) {
   const std::string& kind = section.title.front();
   if (kind == "vertex")
@@ -157,7 +173,8 @@ void expect_section(const Compiled& compiled, const CaseSection& section) {
     expect_pixels(compiled, section);
   else if (kind == "programs")
     EXPECT_EQ(std::to_string(compiled.package->programs()->size()), section.lines.at(0));
-  else if (kind != "file" && kind != "image" && kind != "options" && kind != "diagnostics") {
+  else if (kind != "file" && kind != "scene" && kind != "image" && kind != "options" && kind != "diagnostics" &&
+           kind != "graph") {
     ADD_FAILURE() << "line " << section.line << ": no section is called `" << kind << "`";
   }
 }
@@ -167,11 +184,12 @@ bool is_expected(const std::string& said, const std::string& expected) {
   return said == expected || (std::count(expected.begin(), expected.end(), ' ') == 1 && said.starts_with(expected + " "));
 }
 
-void expect_diagnostics(const Compiled& compiled, const CaseFile& file) {
+/// What is said of a scene; `name` is "" where the case has but one.
+void expect_diagnostics(const Compiled& compiled, CaseFile& file, std::string_view name) {
   const std::vector<std::string> said = compiled.messages();
-  if (is_rewriting()) return rewrite_diagnostics(file, said);
+  if (is_rewriting()) return rewrite_diagnostics(file, name, said);
   std::vector<std::string> expected;
-  if (const CaseSection* section = file.find("diagnostics")) expected = section->lines;
+  if (const CaseSection* section = file.find("diagnostics", name)) expected = section->lines;
   std::erase(expected, "");
   EXPECT_TRUE(std::equal(said.begin(), said.end(), expected.begin(), expected.end(), is_expected))
       << "said:\n  " << fmt::format("{}", fmt::join(said, "\n  ")) << "\nexpected:\n  "
@@ -184,16 +202,25 @@ class CaseTest : public testing::Test {
 
   void TestBody() override {
     const SceneFolder folder;
-    const fs::path scene = write_files(file_, folder);
-    ASSERT_FALSE(scene.empty()) << "the case has no `--- file`";
-    CompileOptions options = read_options(file_);
-    options.root = folder.path();
-    const Compiled compiled = compile_file(scene, options);
-    expect_diagnostics(compiled, file_);
-    for (const CaseSection& section : file_.sections) expect_section(compiled, section);
+    write_files(file_, folder);
+    const std::vector<std::string> scenes = scene_names(file_);
+    ASSERT_FALSE(scenes.empty()) << "the case has no `--- file` and no `--- scene`";
+    for (const std::string& name : scenes) {
+      SCOPED_TRACE(name);
+      expect_all(folder, name, scenes.size() == 1 ? "" : name);
+    }
   }
 
  private:
+  void expect_all(const SceneFolder& folder, const std::string& scene, std::string_view name) {
+    CompileOptions options = read_options(file_);
+    options.root = folder.path();
+    const Compiled compiled = compile_file(folder.path() / scene, options);
+    expect_diagnostics(compiled, file_, name);
+    for (const CaseSection& section : file_.sections) expect_section(compiled, section);
+    if (const CaseSection* graph = file_.find("graph")) expect_in_order(graph_text(folder.path() / scene, options), *graph);
+  }
+
   CaseFile file_;
 };
 
@@ -201,13 +228,14 @@ class CaseTest : public testing::Test {
 std::set<std::string> shown_codes(const std::vector<CaseFile>& files) {
   std::set<std::string> codes;
   for (const CaseFile& file : files) {
-    const CaseSection* section = file.find("diagnostics");
-    if (section == nullptr) continue;
-    for (const std::string& line : section->lines) {
-      std::istringstream stream(line);
-      std::string place;
-      std::string code;
-      if (stream >> place >> code) codes.insert(code);
+    for (const CaseSection& section : file.sections) {
+      if (section.title.front() != "diagnostics") continue;
+      for (const std::string& line : section.lines) {
+        std::istringstream stream(line);
+        std::string place;
+        std::string code;
+        if (stream >> place >> code) codes.insert(code);
+      }
     }
   }
   return codes;
