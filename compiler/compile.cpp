@@ -31,19 +31,17 @@ class PhaseTimer {
   Clock::time_point start_ = Clock::now();
 };
 
-/// The scene file as a document; with `stage`, the stage's statements stand behind the author's.
-std::optional<SourceId> read_scene_file(const std::filesystem::path& path, FileAccess& files, std::string_view stage,
-                                        SourceSet& sources, Diagnostics& diagnostics) {
+std::optional<SourceId> read_scene_file(const std::filesystem::path& path, FileAccess& files, SourceSet& sources,
+                                        Diagnostics& diagnostics) {
   FileContent content = files.read(path);
-  if (content.status != FileStatus::ok) {
-    diagnostics.report(DiagnosticId::file_unreadable, {}, fmt::format("cannot read `{}`", path.string()));
-    return std::nullopt;
-  }
-  std::string& text = content.bytes;
-  const std::size_t scene_end = text.rfind("</Scene>");
-  if (!stage.empty() && scene_end != std::string::npos) text.insert(scene_end, stage_elements(stage));
-  if (!stage.empty() && scene_end == std::string::npos) text += stage_statements(stage);
-  return sources.add(path.string(), std::move(text));
+  if (content.status == FileStatus::ok) return sources.add(path.string(), std::move(content.bytes));
+  diagnostics.report(DiagnosticId::file_unreadable, {}, fmt::format("cannot read `{}`", path.string()));
+  return std::nullopt;
+}
+
+std::optional<Document> read_stage(std::string_view name, SourceSet& sources, Diagnostics& diagnostics) {
+  if (name.empty()) return std::nullopt;
+  return read_document(sources.add("stage.x3dv", stage_scene(name)), sources, diagnostics);
 }
 
 /// A graph with the scene that it means.
@@ -52,21 +50,27 @@ struct LoadedScene {
   Scene scene;
 };
 
-LoadedScene load_scene(const std::filesystem::path& path, std::string_view stage, const CompileOptions& options,
-                       FileAccess& files, SourceSet& sources, Diagnostics& diagnostics) {
+/// The scene of one file; with `stage`, what stands on that stage too.
+LoadedScene load_scene(SourceId source, const std::filesystem::path& path, std::string_view stage,
+                       const CompileOptions& options, FileAccess& files, SourceSet& sources, Diagnostics& diagnostics) {
   LoadedScene loaded;
-  const auto source = read_scene_file(path, files, stage, sources, diagnostics);
-  if (!source) return loaded;
-  Document document = read_document(*source, sources, diagnostics);
+  Document document = read_document(source, sources, diagnostics);
   // from here everything that was written has a place
-  loaded.graph = build_graph(std::move(document), path, sources, files, diagnostics);
+  loaded.graph = build_graph(std::move(document), path, sources, files, diagnostics, read_stage(stage, sources, diagnostics));
   // from here every USE is resolved, every prototype expanded, every Inline loaded, every value typed
   loaded.scene = build_scene(loaded.graph, sources, files, {options.for_lint}, diagnostics);
   loaded.scene.name = path.filename().string();
   // from here shapes know their lights, textures, effects and shadow maps
-  const bool needs_stage =
-      loaded.scene.shapes.empty() && !loaded.scene.effects.empty() && stage.empty() && !options.stage.empty();
-  return needs_stage ? load_scene(path, options.stage, options, files, sources, diagnostics) : std::move(loaded);
+  return loaded;
+}
+
+LoadedScene load_scene(const std::filesystem::path& path, const CompileOptions& options, FileAccess& files, SourceSet& sources,
+                       Diagnostics& diagnostics) {
+  const auto source = read_scene_file(path, files, sources, diagnostics);
+  if (!source) return {};
+  LoadedScene loaded = load_scene(*source, path, "", options, files, sources, diagnostics);
+  const bool needs_stage = loaded.scene.shapes.empty() && !loaded.scene.effects.empty() && !options.stage.empty();
+  return needs_stage ? load_scene(*source, path, options.stage, options, files, sources, diagnostics) : std::move(loaded);
 }
 
 SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions& options, Validator& validator,
@@ -74,7 +78,7 @@ SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions
   CompileStatistics& statistics = compilation.statistics;
   DiskFiles files(options.root.empty() ? default_root(path) : options.root);
   auto timer = std::make_unique<PhaseTimer>(statistics.read);
-  LoadedScene loaded = load_scene(path, "", options, files, sources, diagnostics);
+  LoadedScene loaded = load_scene(path, options, files, sources, diagnostics);
   timer = std::make_unique<PhaseTimer>(statistics.prepare);
   PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
   // from here geometry is triangles, images are pixels, effects are outlined, and every shape has its recipe
@@ -114,15 +118,16 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
                        SourceSet& sources, Diagnostics& diagnostics) {
   DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
   if (stage == "document") {
-    const auto source = read_scene_file(scene, files, "", sources, diagnostics);
+    const auto source = read_scene_file(scene, files, sources, diagnostics);
     return source ? dump_document(read_document(*source, sources, diagnostics), sources) : "";
   }
-  LoadedScene loaded = load_scene(scene, "", options, files, sources, diagnostics);
+  LoadedScene loaded = load_scene(scene, options, files, sources, diagnostics);
   if (stage == "scene") return dump_graph(loaded.graph, sources) + dump_scene(loaded.scene);
   std::string text;
   if (stage != "recipes") return text;
   const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
-  for (std::size_t i = 0; i < prepared.recipes.size(); ++i) text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i], prepared.parts.scene));
+  for (std::size_t i = 0; i < prepared.recipes.size(); ++i)
+    text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i], prepared.parts.scene));
   return text;
 }
 

@@ -28,21 +28,31 @@ std::vector<std::string_view> node_names() {
 
 }  // namespace
 
-NodeGraph GraphBuilder::build(Document document, const std::filesystem::path& path) {
-  graph_.documents_.push_back(std::move(document));
-  graph_.document_paths_.push_back(path);
-  loaded_[path.lexically_normal().string()] = 0;
-  Scope& scope = scopes_.emplace_back();
+NodeGraph GraphBuilder::build(Document document, const std::filesystem::path& path, std::optional<Document> appended) {
   NodeList& roots = graph_.node_lists_.emplace_back();
-  Job model;
-  model.scope = &scope;
-  model.to.list = &roots;
-  push_statements(this->document(scope).of(this->document(scope).statements), model);
-  run_jobs();
-  expand_unused(scope);
+  loaded_[path.lexically_normal().string()] = 0;
+  build_roots(add_document(std::move(document), path), roots);
+  if (appended) build_roots(add_document(std::move(*appended), path), roots);
   for (const PendingRoute& route : pending_routes_) resolve_route(route);
   finish_graph(roots);
   return std::move(graph_);
+}
+
+Scope& GraphBuilder::add_document(Document document, const std::filesystem::path& path) {
+  Scope& scope = scopes_.emplace_back();
+  scope.document = static_cast<std::uint32_t>(graph_.documents_.size());
+  graph_.documents_.push_back(std::move(document));
+  graph_.document_paths_.push_back(path);
+  return scope;
+}
+
+void GraphBuilder::build_roots(Scope& scope, NodeList& roots) {
+  Job model;
+  model.scope = &scope;
+  model.to.list = &roots;
+  push_statements(document(scope).of(document(scope).statements), model);
+  run_jobs();
+  expand_unused(scope);
 }
 
 void GraphBuilder::run_jobs() {
@@ -196,8 +206,8 @@ std::string GraphBuilder::suggest(std::string_view name, std::span<const std::st
 }
 
 NodeGraph build_graph(Document document, const std::filesystem::path& path, SourceSet& sources, FileAccess& files,
-                      Diagnostics& diagnostics) {
-  return GraphBuilder(sources, files, diagnostics).build(std::move(document), path);
+                      Diagnostics& diagnostics, std::optional<Document> appended) {
+  return GraphBuilder(sources, files, diagnostics).build(std::move(document), path, std::move(appended));
 }
 
 }  // namespace plugc

@@ -135,10 +135,12 @@ class GraphBuilder {
  public:
   GraphBuilder(SourceSet& sources, FileAccess& files, Diagnostics& diagnostics)
       : sources_(sources), files_(files), diagnostics_(diagnostics) {}
-  NodeGraph build(Document document, const std::filesystem::path& path);
+  NodeGraph build(Document document, const std::filesystem::path& path, std::optional<Document> appended);
 
  private:
   // build_graph.cpp: jobs and nodes
+  Scope& add_document(Document document, const std::filesystem::path& path);
+  void build_roots(Scope& scope, NodeList& roots);
   void run_jobs();
   void run(const Job& job);
   void push_statements(std::span<const StatementSyntax> statements, Job model);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -117,8 +118,9 @@ class NodeGraph {
 
 /// Reads the documents that `document` includes (Inline, EXTERNPROTO) through `files` and resolves everything.
 /// Mistakes are reported; what is wrong is left out, the rest stays.
+/// The roots of `appended`, if there is one, stand behind the scene's own; its names are its own.
 NodeGraph build_graph(Document document, const std::filesystem::path& path, SourceSet& sources, FileAccess& files,
-                      Diagnostics& diagnostics);
+                      Diagnostics& diagnostics, std::optional<Document> appended = std::nullopt);
 
 /// `plugc inspect --dump scene`, first half: one line a node, with typed values.
 std::string dump_graph(const NodeGraph& graph, const SourceSet& sources);

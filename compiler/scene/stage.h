@@ -6,11 +6,8 @@
 
 namespace plugc {
 
-/// Classic X3D statements to stand behind the author's own (so that no place of theirs moves). `name` is teapot, sphere,
-/// box or plane. Group effects at the file's top level then reach the stage as they reach any shape.
-std::string stage_statements(std::string_view name);
-
-/// The same as XML, to stand in front of `</Scene>`.
-std::string stage_elements(std::string_view name);
+/// A classic X3D scene for build_graph to append to the author's, so that group effects at the file's top level reach it as
+/// they reach any shape. `name` is teapot, sphere, box or plane.
+std::string stage_scene(std::string_view name);
 
 }  // namespace plugc
