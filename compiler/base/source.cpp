@@ -1,5 +1,7 @@
-// Line tables are made lazily, by one scan for '\n', and searched by bisection. A MappedText is its bytes plus a sorted
-// list of pieces; a piece either runs along its source byte for byte, or stands still at one place (`fixed`).
+// Tables of lines, and of how many characters stand before each block of bytes, are made when a place is first asked for; so
+// a place costs a bisection and one block, however long the line. A MappedText is a view of its source until something else
+// is appended. Then it is its bytes plus a sorted list of pieces; a piece either runs along its source byte for byte, or
+// stands still at one place (`fixed`).
 
 #include "base/source.h"
 
@@ -11,6 +13,13 @@ namespace plugc {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // no column of its own in any editor
+constexpr std::uint32_t kBlock = 4096;
+
+/// Code points that begin in the text.
+std::uint32_t count_characters(std::string_view text) {
+  return static_cast<std::uint32_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
 
 }  // namespace
 
@@ -20,7 +29,7 @@ Span join(const Span& first, const Span& last) {
 }
 
 SourceId SourceSet::add(std::string name, std::string text) {
-  sources_.push_back({std::move(name), std::move(text), {}});
+  sources_.push_back({std::move(name), std::move(text), {}, {}});
   return {static_cast<std::uint32_t>(sources_.size() - 1)};
 }
 
@@ -44,25 +53,24 @@ std::string_view SourceSet::text(const Span& span) const {
 }
 
 const std::vector<std::uint32_t>& SourceSet::line_starts(const Source& source) {
-  if (source.line_starts.empty()) {
-    source.line_starts.push_back(0);
-    for (std::size_t at = source.text.find('\n'); at != std::string::npos; at = source.text.find('\n', at + 1)) {
-      source.line_starts.push_back(static_cast<std::uint32_t>(at + 1));
-    }
+  if (!source.line_starts.empty()) return source.line_starts;
+  const std::string_view text = source.text;
+  source.line_starts.push_back(0);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool ends = text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n");
+    if (ends) source.line_starts.push_back(static_cast<std::uint32_t>(i + 1));
   }
   return source.line_starts;
 }
 
-/// Counts on from the last place that was asked for where that lies before this one in the same line.
-std::uint32_t SourceSet::column(const Source& source, std::uint32_t line_start, std::uint32_t offset) {
-  const bool goes_on = source.counted_to >= line_start && source.counted_to <= offset;
-  std::uint32_t column = goes_on ? source.counted_column : 1;
-  for (std::uint32_t i = goes_on ? source.counted_to : line_start; i < offset; ++i) {
-    if ((static_cast<unsigned char>(source.text[i]) & 0xC0U) != 0x80U) ++column;
+std::uint32_t SourceSet::characters_before(const Source& source, std::uint32_t offset) {
+  const std::string_view text = source.text;
+  std::vector<std::uint32_t>& before = source.characters;
+  if (before.empty()) before.push_back(0);
+  while (before.size() <= offset / kBlock) {
+    before.push_back(before.back() + count_characters(text.substr((before.size() - 1) * kBlock, kBlock)));
   }
-  source.counted_to = offset;
-  source.counted_column = column;
-  return column;
+  return before[offset / kBlock] + count_characters(text.substr(offset - offset % kBlock, offset % kBlock));
 }
 
 Position SourceSet::position(SourceId id, std::uint32_t offset) const {
@@ -71,7 +79,7 @@ Position SourceSet::position(SourceId id, std::uint32_t offset) const {
   const auto& starts = line_starts(in);
   const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
   const auto line = static_cast<std::uint32_t>(next - starts.begin());
-  const std::uint32_t counted = column(in, *(next - 1), offset);
+  const std::uint32_t counted = characters_before(in, offset) - characters_before(in, *(next - 1)) + 1;
   const bool behind_mark = line == 1 && offset > 0 && in.text.starts_with(kByteOrderMark);
   return {line, behind_mark ? counted - 1 : counted};
 }
@@ -81,67 +89,98 @@ std::string_view SourceSet::line_at(SourceId id, std::uint32_t offset) const {
   const auto& starts = line_starts(source(id));
   const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
   const std::size_t begin = *(next - 1);
-  std::size_t end = next == starts.end() ? whole.size() : *next - 1;
-  if (end > begin && whole[end - 1] == '\r') --end;
+  std::size_t end = next == starts.end() ? whole.size() : *next;
+  while (end > begin && (whole[end - 1] == '\r' || whole[end - 1] == '\n')) --end;
   return whole.substr(begin, end - begin);
 }
 
-MappedText::MappedText(const SourceSet& sources, const Span& span) {
-  append(sources.text(span), span.source, span.begin);
+MappedText::MappedText(const MappedText& other)
+    : verbatim_(other.verbatim_),
+      source_(other.source_),
+      source_begin_(other.source_begin_),
+      built_(other.built_ ? std::make_unique<Built>(*other.built_) : nullptr) {}
+
+MappedText::Built& MappedText::build() {
+  if (built_) return *built_;
+  built_ = std::make_unique<Built>();
+  if (!verbatim_.empty()) built_->pieces.push_back({0, source_, source_begin_, 0, false});
+  built_->text = verbatim_;
+  return *built_;
 }
 
-void MappedText::add_piece(const Piece& piece) {
-  if (!pieces_.empty()) {
-    const Piece& last = pieces_.back();
+void MappedText::Built::add_piece(const Piece& piece) {
+  if (!pieces.empty()) {
+    const Piece& last = pieces.back();
     const bool runs_on = !last.fixed && !piece.fixed && last.source == piece.source &&
                          last.source_begin + (piece.text_begin - last.text_begin) == piece.source_begin;
     const bool stays = last.fixed && piece.fixed && last.source == piece.source && last.source_begin == piece.source_begin &&
                        last.source_end == piece.source_end;
     if (runs_on || stays) return;
   }
-  pieces_.push_back(piece);
+  pieces.push_back(piece);
 }
 
 void MappedText::append(std::string_view text, SourceId source, std::uint32_t source_begin) {
   if (text.empty()) return;
-  add_piece({size(), source, source_begin, 0, false});
-  text_ += text;
+  Built& built = build();
+  built.add_piece({size(), source, source_begin, 0, false});
+  built.text += text;
 }
 
 void MappedText::append_generated(std::string_view text, const Span& origin) {
   if (text.empty()) return;
-  add_piece({size(), origin.source, origin.begin, origin.end, true});
-  text_ += text;
+  Built& built = build();
+  built.add_piece({size(), origin.source, origin.begin, origin.end, true});
+  built.text += text;
 }
 
-std::size_t MappedText::piece_at(std::uint32_t offset) const {
-  const auto next = std::upper_bound(pieces_.begin(), pieces_.end(), offset,
+std::size_t MappedText::Built::piece_at(std::uint32_t offset) const {
+  const auto next = std::upper_bound(pieces.begin(), pieces.end(), offset,
                                      [](std::uint32_t at, const Piece& piece) { return at < piece.text_begin; });
-  return static_cast<std::size_t>(next - pieces_.begin()) - 1;
+  return static_cast<std::size_t>(next - pieces.begin()) - 1;
 }
 
 void MappedText::append(const MappedText& other, std::uint32_t begin, std::uint32_t end) {
   end = std::min(end, other.size());
   if (begin >= end) return;
-  for (std::size_t i = other.piece_at(begin); i < other.pieces_.size() && other.pieces_[i].text_begin < end; ++i) {
-    Piece piece = other.pieces_[i];
-    const std::uint32_t from = std::max(begin, piece.text_begin);
-    if (!piece.fixed) piece.source_begin += from - piece.text_begin;
-    piece.text_begin = size() + (from - begin);
-    add_piece(piece);
+  if (!other.built_) {
+    const MappedText part(other.verbatim_.substr(begin, end - begin), other.source_, other.source_begin_ + begin);
+    if (empty()) {
+      *this = part;
+    } else {
+      append(part.verbatim_, part.source_, part.source_begin_);
+    }
+    return;
   }
-  text_.append(other.text_, begin, end - begin);
+  Built& built = build();
+  const Built& from = *other.built_;  // may be the same
+  for (std::size_t i = from.piece_at(begin); i < from.pieces.size() && from.pieces[i].text_begin < end; ++i) {
+    Piece piece = from.pieces[i];
+    const std::uint32_t skipped = std::max(begin, piece.text_begin) - piece.text_begin;
+    if (!piece.fixed) piece.source_begin += skipped;
+    piece.text_begin = size() + (piece.text_begin + skipped - begin);
+    built.add_piece(piece);
+  }
+  built.text.append(from.text, begin, end - begin);
 }
 
 Span MappedText::locate(std::uint32_t begin, std::uint32_t end) const {
-  if (pieces_.empty()) return {};
+  if (built_) return locate_built(begin, end);
+  if (verbatim_.empty()) return {};
+  const std::uint32_t from = std::min(begin, size());
+  const std::uint32_t to = std::min(std::max(end, from), size());
+  return {source_, source_begin_ + from, source_begin_ + to};
+}
+
+Span MappedText::locate_built(std::uint32_t begin, std::uint32_t end) const {
+  const std::vector<Piece>& pieces = built_->pieces;
   begin = std::min(begin, size());
-  for (std::size_t i = piece_at(std::min(begin, size() - 1)); i < pieces_.size(); ++i) {
-    const Piece& piece = pieces_[i];
+  for (std::size_t i = built_->piece_at(std::min(begin, size() - 1)); i < pieces.size(); ++i) {
+    const Piece& piece = pieces[i];
     if (piece.text_begin >= end && piece.text_begin > begin) break;
     if (!piece.source.valid()) continue;
     if (piece.fixed) return {piece.source, piece.source_begin, piece.source_end};
-    const std::uint32_t piece_end = i + 1 < pieces_.size() ? pieces_[i + 1].text_begin : size();
+    const std::uint32_t piece_end = i + 1 < pieces.size() ? pieces[i + 1].text_begin : size();
     const std::uint32_t from = std::max(begin, piece.text_begin);
     const std::uint32_t length = std::min(std::max(end, from), piece_end) - from;
     const std::uint32_t source_at = piece.source_begin + (from - piece.text_begin);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +29,7 @@ struct Span {
 /// From the start of `first` to the end of `last`; both in the same source.
 Span join(const Span& first, const Span& last);
 
-/// A line and a column, both from 1. The column counts code points, as editors do.
+/// A line and a column, both from 1. A line ends with LF, CR LF or CR. The column counts code points, as editors do.
 struct Position {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
@@ -54,12 +55,11 @@ class SourceSet {
     std::string name;
     std::string text;
     mutable std::vector<std::uint32_t> line_starts;  // made on first use
-    mutable std::uint32_t counted_to = 0;            // the last byte whose column was asked for ...
-    mutable std::uint32_t counted_column = 1;        // ... and that column: one long line is not counted over and over
+    mutable std::vector<std::uint32_t> characters;   // before each block of bytes; made on first use
   };
   const Source& source(SourceId id) const;
   static const std::vector<std::uint32_t>& line_starts(const Source& source);
-  static std::uint32_t column(const Source& source, std::uint32_t line_start, std::uint32_t offset);
+  static std::uint32_t characters_before(const Source& source, std::uint32_t offset);
   std::deque<Source> sources_;
 };
 
@@ -67,17 +67,25 @@ class SourceSet {
 /// (joining parts, inserting calls, renaming) both yield one, so that any byte leads back to its author's line.
 ///
 ///     url "data:text/plain,a\"b"     ->  text `a"b`; byte 1 lies at the backslash, byte 2 at the `b`
+///
+/// Text that stands in a source as it is (most strings, most attributes) is a view of it and costs no copy: the source set
+/// must outlive it.
 class MappedText {
  public:
   MappedText() = default;
-  /// A verbatim copy of `span`'s text.
-  MappedText(const SourceSet& sources, const Span& span);
+  /// `span`'s text as it stands.
+  MappedText(const SourceSet& sources, const Span& span) : MappedText(sources.text(span), span.source, span.begin) {}
+  MappedText(const MappedText& other);
+  MappedText(MappedText&&) = default;
+  MappedText& operator=(const MappedText& other) { return *this = MappedText(other); }
+  MappedText& operator=(MappedText&&) = default;
+  ~MappedText() = default;
 
-  const std::string& text() const { return text_; }
-  bool empty() const { return text_.empty(); }
-  std::uint32_t size() const { return static_cast<std::uint32_t>(text_.size()); }
+  std::string_view text() const { return built_ ? std::string_view(built_->text) : verbatim_; }
+  bool empty() const { return text().empty(); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(text().size()); }
 
-  /// Appends bytes that stand, one for one, at `source_begin` onward in `source`.
+  /// Appends a copy of bytes that stand, one for one, at `source_begin` onward in `source`.
   void append(std::string_view text, SourceId source, std::uint32_t source_begin);
   /// Appends bytes that all come from the one place `origin` (an escape, a renamed name), or from none when it is not valid.
   void append_generated(std::string_view text, const Span& origin = {});
@@ -97,10 +105,22 @@ class MappedText {
     std::uint32_t source_end = 0;  // meaningful when fixed
     bool fixed = false;            // all bytes lie at [source_begin, source_end)
   };
-  std::size_t piece_at(std::uint32_t offset) const;
-  void add_piece(const Piece& piece);
-  std::string text_;
-  std::vector<Piece> pieces_;
+  /// Text that stands nowhere as a whole.
+  struct Built {
+    std::string text;
+    std::vector<Piece> pieces;
+    std::size_t piece_at(std::uint32_t offset) const;
+    void add_piece(const Piece& piece);
+  };
+  MappedText(std::string_view verbatim, SourceId source, std::uint32_t begin)
+      : verbatim_(verbatim), source_(source), source_begin_(begin) {}
+  Built& build();
+  Span locate_built(std::uint32_t begin, std::uint32_t end) const;
+
+  std::string_view verbatim_;  // in the source set, at source_begin_ of source_
+  SourceId source_;
+  std::uint32_t source_begin_ = 0;
+  std::unique_ptr<Built> built_;  // when there is one, it counts
 };
 
 }  // namespace plugc

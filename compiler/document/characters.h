@@ -1,13 +1,11 @@
 #pragma once
-// The characters of the classic encoding and of attribute values, and the one way to read a number or to write a character.
+// The characters of the classic encoding and of attribute values, and the one way to write a character.
 // Source: ISO/IEC 19776-2, A.2 and 14772-1, A.3 (names); `:` stays a name character, as in `COMPONENT Shaders:1`.
 
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace plugc {
 
@@ -38,21 +36,6 @@ constexpr bool is_a(char c, CharacterClass wanted) {
 /// Whether a number may not go on with this character, nor anything begin with it right behind a number.
 constexpr bool runs_on_number(char c) {
   return is_a(c, kWordRest) || c == '.';
-}
-
-/// A number at `at`: `1`, `+.5`, `-1e-3`, `0xFF`. Like std::from_chars, but with a plus and hexadecimal, without `inf` and
-/// `nan`.
-inline std::from_chars_result scan_number(const char* at, const char* end, double& value) {
-  const char* first = at;
-  if (first != end && (*first == '+' || *first == '-')) ++first;
-  if (first == end || !is_a(*first, kNumberStart) || *first == '+' || *first == '-') return {at, std::errc::invalid_argument};
-  if (*first == '0' && end - first > 2 && (first[1] | 0x20) == 'x') {
-    std::uint64_t bits = 0;
-    const auto result = std::from_chars(first + 2, end, bits, 16);
-    value = *at == '-' ? -static_cast<double>(bits) : static_cast<double>(bits);
-    return result;
-  }
-  return std::from_chars(*at == '+' ? first : at, end, value);
 }
 
 /// Appends the character of that code point (RFC 3629).

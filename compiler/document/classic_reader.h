@@ -12,7 +12,7 @@ namespace plugc {
 class ClassicReader {
  public:
   ClassicReader(SourceId source, Encoding encoding, const SourceSet& sources, Diagnostics& diagnostics)
-      : build_(source, encoding, sources, diagnostics), scan_(source, sources.text(source)) {}
+      : build_(source, encoding, sources, diagnostics), scan_(source, sources) {}
 
   Document read(std::string_view version, const Span& version_span);
 
@@ -33,7 +33,7 @@ class ClassicReader {
 
   // Nodes and interfaces
   std::optional<NodeSyntax> read_node();
-  void read_node_body(NodeSyntax& node);
+  void read_node_body(NodeSyntax& node, const NodeExtras& extras);
   void read_body_item();
   void read_field();
   void read_interface(AccessType access, bool default_allowed);
@@ -49,7 +49,7 @@ class ClassicReader {
   bool accept_in_list(ValueSyntax& value, ValueKind kind);
   void report_mixed_list(ValueKind kind);
   void read_word_value(ValueSyntax& value, const Name& field);
-  void read_number();
+  void read_numbers();
   void read_string();
   void read_boolean();
   void read_is(ValueSyntax& value);

@@ -1,4 +1,4 @@
-// One table look-up a character; numbers go through scan_number() in the header, so that lists of them run in one loop.
+// One table look-up a character; lists of numbers run in one loop of their own (scan_number.h).
 // A string is copied in runs between its escapes. Skipping a bracket counts depth instead of recursing.
 
 #include "document/classic_scanner.h"
@@ -23,8 +23,14 @@ const char* string_end(const char* at, const char* end) {
 
 }  // namespace
 
-ClassicScanner::ClassicScanner(SourceId source, std::string_view text)
-    : source_(source), begin_(text.data()), at_(begin_), end_(begin_ + text.size()), read_to_(begin_) {
+ClassicScanner::ClassicScanner(SourceId source, const SourceSet& sources)
+    : source_(source),
+      sources_(&sources),
+      begin_(sources.text(source).data()),
+      at_(begin_),
+      end_(begin_ + sources.text(source).size()),
+      read_to_(begin_) {
+  const std::string_view text = sources.text(source);
   if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
   skip_space();
 }
@@ -86,14 +92,17 @@ bool ClassicScanner::take_string(MappedText& text) {
   const char* run = at_ + 1;
   const char* at = run;
   const auto place = [&](const char* c) { return static_cast<std::uint32_t>(c - begin_); };
+  const auto append_run = [&](const char* run_end) {
+    append_with_line_feeds(text, *sources_, {source_, place(run), place(run_end)});
+  };
   for (; at != end_ && *at != '"'; ++at) {
     const bool escape = *at == '\\' && at + 1 != end_ && (at[1] == '"' || at[1] == '\\');
     if (!escape) continue;
-    append_with_line_feeds(text, {run, static_cast<std::size_t>(at - run)}, source_, place(run));
+    append_run(at);
     text.append_generated({at + 1, 1}, {source_, place(at), place(at) + 2});
     run = ++at + 1;
   }
-  append_with_line_feeds(text, {run, static_cast<std::size_t>(at - run)}, source_, place(run));
+  append_run(at);
   const bool closed = at != end_;
   finish_token(closed ? at + 1 : at);
   return closed;

@@ -9,12 +9,13 @@
 #include "base/source.h"
 #include "document/characters.h"
 #include "document/document.h"
+#include "document/scan_number.h"
 
 namespace plugc {
 
 class ClassicScanner {
  public:
-  ClassicScanner(SourceId source, std::string_view text);
+  ClassicScanner(SourceId source, const SourceSet& sources);
 
   bool at_end() const { return at_ == end_; }
   /// The next character; NUL at the end (and where the text holds one, which begins nothing either).
@@ -42,6 +43,15 @@ class ClassicScanner {
   Name take_word();
   /// Whether `{` follows the word that is next.
   bool brace_follows_word() const;
+
+  /// Appends the numbers that are next, up to an odd one or what is none.
+  void take_numbers(std::vector<double>& numbers) {
+    const auto [numbers_end, next] = scan_numbers(at_, end_, numbers);
+    if (next == at_) return;
+    read_to_ = numbers_end;
+    at_ = next;
+    skip_space();
+  }
 
   /// Reads a number into `value`. False: the text there is no number or too large; all of it is taken, and `value` holds
   /// as much as was one.
@@ -76,6 +86,7 @@ class ClassicScanner {
   const char* token_end() const;
 
   SourceId source_;
+  const SourceSet* sources_;
   const char* begin_;
   const char* at_;
   const char* end_;

@@ -16,7 +16,7 @@ ValueSyntax ClassicReader::read_value(const Name& field) {
   ValueSyntax value;
   if (scan_.next_is(kNumberStart)) {
     value.kind = ValueKind::numbers;
-    while (scan_.next_is(kNumberStart)) read_number();
+    while (scan_.next_is(kNumberStart)) read_numbers();
   } else if (scan_.next() == '"') {
     value.kind = ValueKind::strings;
     read_string();
@@ -28,10 +28,8 @@ ValueSyntax ClassicReader::read_value(const Name& field) {
     return value;
   }
   value.span = scan_.span_from(begin);
-  if (value.kind != ValueKind::nodes) {
-    value.numbers = build_.numbers_since(first_number);
-    value.strings = build_.strings_since(first_string);
-  }
+  if (value.holds_numbers()) value.hold(build_.numbers_since(first_number));
+  if (value.holds_strings()) value.hold(build_.strings_since(first_string));
   return value;
 }
 
@@ -49,7 +47,7 @@ void ClassicReader::read_word_value(ValueSyntax& value, const Name& field) {
     value.kind = ValueKind::nodes;
     const std::size_t mark = build_.nodes.open();
     if (auto node = read_node()) build_.add_list_node(std::move(*node));
-    value.nodes = build_.nodes.close(mark, build_.document.nodes);
+    value.hold(build_.nodes.close(mark, build_.document.nodes));
   } else {
     expected(fmt::format("a value for `{}`", shown(field.text)));
     if (word_is_bad_value()) scan_.take_word();
@@ -77,8 +75,11 @@ void ClassicReader::read_boolean() {
   build_.document.numbers.push_back(truth ? 1 : 0);
 }
 
-void ClassicReader::read_number() {
+/// As many numbers as are next, or one that is odd.
+void ClassicReader::read_numbers() {
   const std::uint32_t begin = scan_.offset();
+  scan_.take_numbers(build_.document.numbers);
+  if (scan_.offset() != begin) return;
   double number = 0;
   if (!scan_.take_number(number)) {
     const Span place = scan_.span_from(begin);
@@ -102,7 +103,7 @@ void ClassicReader::read_is(ValueSyntax& value) {
   const Name name = expect_name("the name of a field of the prototype");
   if (name.empty()) return;
   value.kind = ValueKind::is;
-  value.strings = build_.add_string(MappedText(build_.sources, name.span), name.span);
+  value.hold(build_.add_string(MappedText(build_.sources, name.span), name.span));
   value.span = scan_.span_from(begin);
 }
 
@@ -119,19 +120,17 @@ ValueSyntax ClassicReader::read_list() {
   }
   if (!scan_.take(']')) not_closed(bracket, "`[`");
   value.span = scan_.span_from(begin);
-  value.nodes = build_.nodes.close(nodes, build_.document.nodes);
+  value.hold(build_.nodes.close(nodes, build_.document.nodes));
   if (value.kind == ValueKind::none) value.kind = ValueKind::empty;
-  if (value.kind != ValueKind::nodes) {
-    value.numbers = build_.numbers_since(first_number);
-    value.strings = build_.strings_since(first_string);
-  }
+  if (value.holds_numbers()) value.hold(build_.numbers_since(first_number));
+  if (value.holds_strings()) value.hold(build_.strings_since(first_string));
   return value;
 }
 
 /// One item, or false before what cannot belong to a list.
 bool ClassicReader::read_list_item(ValueSyntax& value) {
   if (scan_.next_is(kNumberStart)) {
-    if (accept_in_list(value, ValueKind::numbers)) read_number();
+    if (accept_in_list(value, ValueKind::numbers)) read_numbers();
   } else if (scan_.next() == '"') {
     if (accept_in_list(value, ValueKind::strings)) read_string();
   } else if (scan_.next_is(kWordStart)) {

@@ -50,11 +50,21 @@ enum class ValueKind : std::uint8_t {
 
 struct ValueSyntax {
   ValueKind kind = ValueKind::none;
-  bool bracketed = false;  ///< Written in [ ].
-  Span span;               ///< The whole value.
-  Range<double> numbers;
-  Range<MappedText> strings;
-  Range<NodeSyntax> nodes;
+  bool bracketed = false;   ///< Written in [ ].
+  Span span;                ///< The whole value.
+  std::uint32_t first = 0;  ///< What it holds, in the pool that its kind says.
+  std::uint32_t count = 0;
+
+  bool holds_numbers() const { return kind == ValueKind::numbers || kind == ValueKind::booleans; }
+  bool holds_strings() const { return kind == ValueKind::strings || kind == ValueKind::lexical || kind == ValueKind::is; }
+  Range<double> numbers() const { return holds_numbers() ? Range<double>{first, count} : Range<double>{}; }
+  Range<MappedText> strings() const { return holds_strings() ? Range<MappedText>{first, count} : Range<MappedText>{}; }
+  Range<NodeSyntax> nodes() const { return kind == ValueKind::nodes ? Range<NodeSyntax>{first, count} : Range<NodeSyntax>{}; }
+  template <typename T>
+  void hold(Range<T> range) {
+    first = range.first;
+    count = range.count;
+  }
 };
 
 /// `name value`. In XML, a child element is a field with an empty name (the scene room finds the field by containerField).
@@ -93,16 +103,27 @@ struct StatementSyntax {
   std::uint32_t index = 0;
 };
 
-struct NodeSyntax {
-  Name type;                  ///< Empty for USE.
-  Name def;                   ///< DEF name, or empty.
-  Name use;                   ///< USE name, or empty.
-  Name container_field;       ///< XML, and JSON where it differs from the key.
-  Span span;                  ///< From DEF (or the type) to the closing bracket.
-  Range<FieldSyntax> fields;  ///< In the order of the text; a name may stand twice.
+/// What few nodes have. Kept beside them, so that the many others are small.
+struct NodeExtras {
+  Name def;              ///< DEF name, or empty.
+  Name use;              ///< USE name, or empty.
+  Name container_field;  ///< XML, and JSON where it differs from the key.
   Range<InterfaceSyntax> interface;
   Range<StatementSyntax> statements;  ///< ROUTE and PROTO inside the body.
   Range<MappedText> cdata;            ///< Code directly inside, in order: CDATA and text of XML, `#sourceCode` of JSON.
+
+  bool any() const {
+    return !def.empty() || !use.empty() || !container_field.empty() || !interface.empty() || !statements.empty() ||
+           !cdata.empty();
+  }
+};
+inline const NodeExtras kNoExtras;
+
+struct NodeSyntax {
+  Name type;                              ///< Empty for USE.
+  Range<FieldSyntax> fields;              ///< In the order of the text; a name may stand twice.
+  Span span;                              ///< From DEF (or the type) to the closing bracket.
+  const NodeExtras* extras = &kNoExtras;  ///< Owned by the Document; never null.
 };
 
 struct ProtoSyntax {
@@ -129,6 +150,7 @@ struct Document {
   std::vector<ImportSyntax> imports;  ///< IMPORT and EXPORT.
   std::vector<double> numbers;
   std::vector<MappedText> strings;
+  std::deque<NodeExtras> extras;          ///< Of the nodes that have any; they never move.
   std::deque<std::string> decoded_names;  ///< Names that held an entity; they never move.
 
   std::span<const NodeSyntax> of(Range<NodeSyntax> range) const { return {nodes.data() + range.first, range.count}; }

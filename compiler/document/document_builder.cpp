@@ -50,11 +50,16 @@ OpenBody DocumentBuilder::open_body() const {
   return {fields.open(), interfaces.open(), statements.open(), cdata.open()};
 }
 
-void DocumentBuilder::close_body(const OpenBody& body, NodeSyntax& node) {
+void DocumentBuilder::give(NodeSyntax& node, const NodeExtras& extras) {
+  if (extras.any()) node.extras = &document.extras.emplace_back(extras);
+}
+
+void DocumentBuilder::close_body(const OpenBody& body, NodeSyntax& node, NodeExtras extras) {
   node.fields = fields.close(body.fields, document.fields);
-  node.interface = interfaces.close(body.interface, document.interfaces);
-  node.statements = statements.close(body.statements, document.statement_pool);
-  node.cdata = cdata.close(body.cdata, document.strings);
+  extras.interface = interfaces.close(body.interface, document.interfaces);
+  extras.statements = statements.close(body.statements, document.statement_pool);
+  extras.cdata = cdata.close(body.cdata, document.strings);
+  give(node, extras);
 }
 
 void DocumentBuilder::add_field(FieldSyntax field, const Span& place) {
@@ -84,8 +89,8 @@ void DocumentBuilder::add_connections(const OpenBody& body, std::span<const Conn
     ValueSyntax value;
     value.kind = ValueKind::is;
     value.span = proto_field.span;
-    value.strings = add_string(std::move(name), proto_field.span);
-    if (value.strings.empty()) return;  // not admitted
+    value.hold(add_string(std::move(name), proto_field.span));
+    if (value.count == 0) return;  // not admitted
     if (const auto found = declared.find(node_field.text); found != declared.end()) {
       found->second->value = value;
     } else {
@@ -206,16 +211,17 @@ void set_version(DocumentBuilder& builder, std::string_view text, const Span& sp
                                          vrml ? "VRML" : "X3D", document.version_major));
 }
 
-void append_with_line_feeds(MappedText& text, std::string_view written, SourceId source, std::uint32_t begin) {
+void append_with_line_feeds(MappedText& text, const SourceSet& sources, const Span& span) {
+  const std::string_view written = sources.text(span);
+  const auto place = [&](std::size_t offset) { return span.begin + static_cast<std::uint32_t>(offset); };
   std::size_t done = 0;
   for (std::size_t at = written.find('\r'); at != std::string_view::npos; at = written.find('\r', at + 1)) {
-    const auto place = static_cast<std::uint32_t>(begin + at);
-    text.append(written.substr(done, at - done), source, begin + static_cast<std::uint32_t>(done));
+    text.append(MappedText(sources, {span.source, place(done), place(at)}));
     done = at + 1;
     const bool pair = done < written.size() && written[done] == '\n';
-    if (!pair) text.append_generated("\n", {source, place, place + 1});
+    if (!pair) text.append_generated("\n", {span.source, place(at), place(at) + 1});
   }
-  text.append(written.substr(done), source, begin + static_cast<std::uint32_t>(done));
+  text.append(MappedText(sources, {span.source, place(done), place(written.size())}));
 }
 
 }  // namespace plugc

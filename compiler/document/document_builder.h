@@ -60,7 +60,9 @@ class DocumentBuilder {
   bool stopped() const { return stopped_; }
 
   OpenBody open_body() const;
-  void close_body(const OpenBody& body, NodeSyntax& node);
+  /// Ends the lists of the node's body; what `extras` has then belongs to the node.
+  void close_body(const OpenBody& body, NodeSyntax& node, NodeExtras extras);
+  void give(NodeSyntax& node, const NodeExtras& extras);
 
   void add_field(FieldSyntax field, const Span& place);
   void add_interface(InterfaceSyntax field);
@@ -115,6 +117,6 @@ std::string_view shown(std::string_view name);
 void set_version(DocumentBuilder& builder, std::string_view text, const Span& span);
 
 /// Appends source text with CR LF and CR as LF (XML 1.0, 2.11), so that an encoding or an editor changes no string.
-void append_with_line_feeds(MappedText& text, std::string_view written, SourceId source, std::uint32_t begin);
+void append_with_line_feeds(MappedText& text, const SourceSet& sources, const Span& span);
 
 }  // namespace plugc

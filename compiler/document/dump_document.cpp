@@ -111,20 +111,21 @@ void Dump::proto(const ProtoSyntax& proto) {
 }
 
 void Dump::node(const NodeSyntax& node) {
-  if (!node.use.empty()) {
-    line(node.span, "USE {}", node.use.text);
+  const NodeExtras& extras = *node.extras;
+  if (!extras.use.empty()) {
+    line(node.span, "USE {}", extras.use.text);
   } else {
-    line(node.span, "{}{}{}{}", node.def.empty() ? "" : "DEF ", node.def.text, node.def.empty() ? "" : " ", node.type.text);
+    line(node.span, "{}{}{}{}", extras.def.empty() ? "" : "DEF ", extras.def.text, extras.def.empty() ? "" : " ", node.type.text);
   }
   ++level_;
-  if (!node.container_field.empty()) line(node.container_field.span, "containerField {}", node.container_field.text);
-  for (const InterfaceSyntax& field : document_.of(node.interface)) interface(field);
+  if (!extras.container_field.empty()) line(extras.container_field.span, "containerField {}", extras.container_field.text);
+  for (const InterfaceSyntax& field : document_.of(extras.interface)) interface(field);
   for (const FieldSyntax& field : document_.of(node.fields)) {
     line(field.name.span, "field {}{}", field.name.empty() ? "-" : field.name.text, value_text(field.value));
     nested_nodes(field.value);
   }
-  statements(node.statements);
-  for (const MappedText& text : document_.of(node.cdata)) line(text.locate(0, 1), "text {}", quoted(text.text()));
+  statements(extras.statements);
+  for (const MappedText& text : document_.of(extras.cdata)) line(text.locate(0, 1), "text {}", quoted(text.text()));
   --level_;
 }
 
@@ -135,7 +136,7 @@ void Dump::interface(const InterfaceSyntax& field) {
 
 void Dump::nested_nodes(const ValueSyntax& value) {
   ++level_;
-  for (const NodeSyntax& one : document_.of(value.nodes)) node(one);
+  for (const NodeSyntax& one : document_.of(value.nodes())) node(one);
   --level_;
 }
 
@@ -143,18 +144,18 @@ std::string Dump::value_text(const ValueSyntax& value) const {
   switch (value.kind) {
     case ValueKind::none: return "";
     case ValueKind::empty: return " [ ]";
-    case ValueKind::nodes: return value.nodes.empty() ? " NULL" : "";
-    case ValueKind::is: return fmt::format(" IS {}", document_.of(value.strings).front().text());
-    case ValueKind::lexical: return fmt::format(" = {}", strings_text(value.strings));
+    case ValueKind::nodes: return value.count == 0 ? " NULL" : "";
+    case ValueKind::is: return fmt::format(" IS {}", document_.of(value.strings()).front().text());
+    case ValueKind::lexical: return fmt::format(" = {}", strings_text(value.strings()));
     case ValueKind::numbers:
     case ValueKind::booleans: return numbers_text(value);
-    case ValueKind::strings: return fmt::format("{}{}", value.bracketed ? " [ ] " : " ", strings_text(value.strings));
+    case ValueKind::strings: return fmt::format("{}{}", value.bracketed ? " [ ] " : " ", strings_text(value.strings()));
   }
   return "";
 }
 
 std::string Dump::numbers_text(const ValueSyntax& value) const {
-  const auto numbers = document_.of(value.numbers);
+  const auto numbers = document_.of(value.numbers());
   std::string text = value.bracketed ? " [ ]" : "";
   for (const double number : numbers.first(std::min(numbers.size(), kShownNumbers))) {
     text += value.kind == ValueKind::booleans ? (number != 0 ? " TRUE" : " FALSE") : fmt::format(" {}", number);

@@ -55,8 +55,8 @@ class JsonReader {
   bool read_nodes(NodesAre nodes, const Name& field);
   bool read_node_object(NodesAre nodes, const Name& field);
   NodeSyntax read_node(const Name& type);
-  void read_node_member(const Name& key, NodeSyntax& node, bool is_instance);
-  void read_attribute(const Name& name, NodeSyntax& node);
+  void read_node_member(const Name& key, NodeSyntax& node, NodeExtras& extras, bool is_instance);
+  void read_attribute(const Name& name, NodeExtras& extras);
   void read_child_field(const Name& name);
   bool add_node(NodeSyntax node, NodesAre nodes, const Name& field);
   void add_elsewhere(NodeSyntax node);

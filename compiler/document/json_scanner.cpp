@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "document/characters.h"
+#include "document/scan_number.h"
 
 namespace plugc {
 namespace {
@@ -274,9 +275,7 @@ void JsonScanner::take_string(MappedText& text) {
   const char* const quote = at_;
   const StringExtent string = find_string(quote);
   const char* run = quote + 1;
-  const auto append_run = [&](const char* end) {
-    append_with_line_feeds(text, {run, static_cast<std::size_t>(end - run)}, source_, place(run));
-  };
+  const auto append_run = [&](const char* end) { append_with_line_feeds(text, build_.sources, span(run, end)); };
   for (const char* at = run; (at = std::find(at, string.end, '\\')) != string.end;) {
     append_run(at);
     run = at = take_escape(at, string.end, text);

@@ -19,8 +19,8 @@ ValueSyntax JsonReader::read_value() {
     const Span place = scan_.next_span();
     MappedText text;
     scan_.take_string(text);
-    value.strings = build_.add_string(std::move(text), place);
-    if (!value.strings.empty()) value.kind = ValueKind::lexical;  // empty when not admitted
+    value.hold(build_.add_string(std::move(text), place));
+    if (value.count != 0) value.kind = ValueKind::lexical;  // none when not admitted
   } else if (scan_.next_is_number()) {
     value.kind = ValueKind::numbers;
     build_.document.numbers.push_back(scan_.take_number());
@@ -34,7 +34,7 @@ ValueSyntax JsonReader::read_value() {
     reject_value();
   }
   value.span = scan_.span_from(begin);
-  value.numbers = build_.numbers_since(first_number);
+  if (value.holds_numbers()) value.hold(build_.numbers_since(first_number));
   return value;
 }
 
@@ -61,8 +61,8 @@ ValueSyntax JsonReader::read_list() {
   }
   if (value.kind == ValueKind::none) value.kind = ValueKind::empty;
   value.span = scan_.span_from(begin);
-  value.numbers = build_.numbers_since(first_number);
-  value.strings = build_.strings_since(first_string);
+  if (value.holds_numbers()) value.hold(build_.numbers_since(first_number));
+  if (value.holds_strings()) value.hold(build_.strings_since(first_string));
   return value;
 }
 
@@ -93,7 +93,7 @@ ValueSyntax JsonReader::read_node_value() {
   value.bracketed = scan_.next() == '[';
   read_nodes(NodesAre::values, {});
   value.span = scan_.span_from(begin);
-  value.nodes = build_.nodes.close(mark, build_.document.nodes);
+  value.hold(build_.nodes.close(mark, build_.document.nodes));
   return value;
 }
 

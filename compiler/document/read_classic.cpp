@@ -240,7 +240,7 @@ void ClassicReader::read_externproto() {
   const Span place = scan_.next_span();
   const ValueSyntax urls = read_value(proto.name);
   if (urls.kind != ValueKind::strings) return build_.mistake(place, "the urls of a prototype are strings");
-  proto.urls = urls.strings;
+  proto.urls = urls.strings();
   proto.span = scan_.span_from(begin);
   if (!proto.name.empty()) build_.add_statement(StatementKind::externproto, proto);
 }
@@ -250,38 +250,41 @@ void ClassicReader::read_externproto() {
 /// `DEF name Type { ... }`, `Type { ... }` or `USE name`.
 std::optional<NodeSyntax> ClassicReader::read_node() {
   NodeSyntax node;
+  NodeExtras extras;
   const std::uint32_t begin = scan_.offset();
   if (scan_.peek_word() == "USE") {
     scan_.take_word();
-    node.use = expect_name("a name behind `USE`");
+    extras.use = expect_name("a name behind `USE`");
     node.span = scan_.span_from(begin);
-    return node.use.empty() ? std::nullopt : std::optional(node);
+    build_.give(node, extras);
+    return extras.use.empty() ? std::nullopt : std::optional(node);
   }
   if (scan_.peek_word() == "DEF") {
     scan_.take_word();
-    node.def = expect_name("a name behind `DEF`");
+    extras.def = expect_name("a name behind `DEF`");
   }
   node.type = expect_name("the type of a node");
   if (node.type.empty()) return std::nullopt;
-  read_node_body(node);
+  read_node_body(node, extras);
   node.span = scan_.span_from(begin);
   return node;
 }
 
 /// A brace that was forgotten is assumed where a body can begin: `geometry Box size 1 1 1 }`.
-void ClassicReader::read_node_body(NodeSyntax& node) {
+void ClassicReader::read_node_body(NodeSyntax& node, const NodeExtras& extras) {
   if (scan_.next() != '{') {
     expected(fmt::format("`{{` behind `{}`", shown(node.type.text)));
-    if (!looks_like_node_type(node.type.text) || !scan_.next_is(kWordStart)) return;
+    if (!looks_like_node_type(node.type.text) || !scan_.next_is(kWordStart)) return build_.give(node, extras);
   } else if (depth_ >= kMaxNesting) {
     build_.too_deep(node.type.span);
+    build_.give(node, extras);
     return scan_.skip_item();
   }
   scan_.take('{');
   ++depth_;
   const OpenBody body = build_.open_body();
   while (!stopped() && !scan_.at_end() && scan_.next() != '}') read_body_item();
-  build_.close_body(body, node);
+  build_.close_body(body, node, extras);
   --depth_;
   if (!scan_.take('}')) not_closed(node.type.span, fmt::format("`{}`", shown(node.type.text)));
 }

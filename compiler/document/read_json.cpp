@@ -279,8 +279,8 @@ void JsonReader::read_externproto(const Name& owner) {
 
 Range<MappedText> JsonReader::read_urls(const Name& key) {
   const ValueSyntax value = read_value();
-  if (value.kind != ValueKind::lexical) return value.strings;
-  const MappedText text = build_.document.of(value.strings).front();
+  if (value.kind != ValueKind::lexical) return value.strings();
+  const MappedText text = build_.document.of(value.strings()).front();
   const std::size_t first = build_.document.strings.size();
   for (MappedText& url : read_lexical_strings(text, build_.diagnostics)) build_.add_string(std::move(url), key.span);
   return build_.strings_since(first);
@@ -343,7 +343,7 @@ bool JsonReader::read_node_object(NodesAre nodes, const Name& field) {
 
 /// Whether the node was added where it stands. One that names another field goes there, as an element of XML does.
 bool JsonReader::add_node(NodeSyntax node, NodesAre nodes, const Name& field) {
-  const std::string_view named = node.container_field.text;
+  const std::string_view named = node.extras->container_field.text;
   if (nodes == NodesAre::statements) {
     build_.add_statement(std::move(node));
   } else if (!field.empty() && !named.empty() && named != field.text) {
@@ -363,12 +363,13 @@ void JsonReader::add_elsewhere(NodeSyntax node) {
   field.value.span = node.span;
   const std::size_t mark = build_.nodes.open();
   build_.add_list_node(std::move(node));
-  field.value.nodes = build_.nodes.close(mark, build_.document.nodes);
+  field.value.hold(build_.nodes.close(mark, build_.document.nodes));
   build_.add_field(field, field.value.span);
 }
 
 NodeSyntax JsonReader::read_node(const Name& type) {
   NodeSyntax node;
+  NodeExtras extras;
   node.type = type;
   node.span = type.span;
   if (depth_ >= kMaxNesting) {
@@ -384,24 +385,24 @@ NodeSyntax JsonReader::read_node(const Name& type) {
   Name key;
   JsonBracket object;
   if (enter(object, type)) {
-    while (scan_.next_member(object, key)) read_node_member(key, node, is_instance);
+    while (scan_.next_member(object, key)) read_node_member(key, node, extras, is_instance);
   }
-  if (!node.use.empty()) node.type = {};
-  if (is_instance && node.use.empty()) required(node.type, type, "@name");
+  if (!extras.use.empty()) node.type = {};
+  if (is_instance && extras.use.empty()) required(node.type, type, "@name");
   std::vector<Connection> connects;
   connections_.close(connections, connects);
   build_.add_connections(body, connects);
-  build_.close_body(body, node);
+  build_.close_body(body, node, extras);
   node.span = span_of(type);
   --depth_;
   return node;
 }
 
-void JsonReader::read_node_member(const Name& key, NodeSyntax& node, bool is_instance) {
+void JsonReader::read_node_member(const Name& key, NodeSyntax& node, NodeExtras& extras, bool is_instance) {
   if (is_instance && key.text == "@name") {
     node.type = read_name(key);
   } else if (first_of(key) == '@') {
-    read_attribute(behind_mark(key), node);
+    read_attribute(behind_mark(key), extras);
   } else if (first_of(key) == '-') {
     read_child_field(behind_mark(key));
   } else if (key.text == "field") {
@@ -417,13 +418,13 @@ void JsonReader::read_node_member(const Name& key, NodeSyntax& node, bool is_ins
   }
 }
 
-void JsonReader::read_attribute(const Name& name, NodeSyntax& node) {
+void JsonReader::read_attribute(const Name& name, NodeExtras& extras) {
   if (name.text == "DEF") {
-    node.def = read_name(name);
+    extras.def = read_name(name);
   } else if (name.text == "USE") {
-    node.use = read_name(name);
+    extras.use = read_name(name);
   } else if (name.text == "containerField") {
-    node.container_field = read_name(name);
+    extras.container_field = read_name(name);
   } else if (name.text == "class" || name.text == "id" || name.text.find(':') != std::string_view::npos) {
     scan_.skip_value();
   } else {
@@ -440,7 +441,7 @@ void JsonReader::read_child_field(const Name& name) {
   field.value.bracketed = scan_.next() == '[';
   const bool is_value = read_nodes(NodesAre::values, name);
   field.value.span = scan_.span_from(begin);
-  field.value.nodes = build_.nodes.close(mark, build_.document.nodes);
+  field.value.hold(build_.nodes.close(mark, build_.document.nodes));
   if (is_value) build_.add_field(field, name.span);
 }
 

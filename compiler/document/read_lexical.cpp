@@ -9,6 +9,7 @@
 
 #include "base/limits.h"
 #include "document/characters.h"
+#include "document/scan_number.h"
 
 namespace plugc {
 namespace {
@@ -37,7 +38,7 @@ bool read_boolean(std::string_view item, double& value) {
 
 /// The string whose opening quote is at `at`; moves `at` behind its closing quote. False when there is none.
 bool read_quoted(const MappedText& text, std::size_t& at, MappedText& string) {
-  const std::string& bytes = text.text();
+  const std::string_view bytes = text.text();
   std::size_t run = ++at;
   const auto append = [&](std::size_t end) {
     string.append(text, static_cast<std::uint32_t>(run), static_cast<std::uint32_t>(end));
@@ -57,20 +58,23 @@ bool read_quoted(const MappedText& text, std::size_t& at, MappedText& string) {
 std::vector<double> read_lexical_numbers(const MappedText& text, Diagnostics& diagnostics) {
   std::vector<double> numbers;
   const std::string_view bytes = text.text();
-  for (std::size_t at = skip_space(bytes, 0); at < bytes.size(); at = skip_space(bytes, at)) {
+  const char* const end = bytes.data() + bytes.size();
+  std::size_t at = skip_space(bytes, 0);
+  while (at < bytes.size()) {
+    const auto next = static_cast<std::size_t>(scan_numbers(bytes.data() + at, end, numbers).next - bytes.data());
+    if (next != at) {
+      at = next;
+      continue;
+    }
+    const std::size_t behind = item_end(bytes, at);
+    const std::string_view item = bytes.substr(at, behind - at);
     double value = 0;
-    const auto [end, error] = scan_number(bytes.data() + at, bytes.data() + bytes.size(), value);
-    std::size_t behind = static_cast<std::size_t>(end - bytes.data());
-    if (error != std::errc() || (behind < bytes.size() && !is_a(bytes[behind], kSpaceCharacter))) {
-      behind = item_end(bytes, at);
-      const std::string_view item = bytes.substr(at, behind - at);
-      if (!read_boolean(item, value)) {
-        report(text, at, behind, fmt::format("`{}` is no number", item.substr(0, kLongestShown)), diagnostics);
-        return numbers;
-      }
+    if (!read_boolean(item, value)) {
+      report(text, at, behind, fmt::format("`{}` is no number", item.substr(0, kLongestShown)), diagnostics);
+      break;
     }
     numbers.push_back(value);
-    at = behind;
+    at = skip_space(bytes, behind);
   }
   return numbers;
 }

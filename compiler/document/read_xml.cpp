@@ -83,7 +83,7 @@ class XmlReader {
   Name optional_name(const pugi::xml_node& element, const char* attribute);
   Name required_name(const pugi::xml_node& element, const char* attribute);
   ValueSyntax lexical_value(const pugi::xml_attribute& attribute);
-  void read_node_attribute(const pugi::xml_attribute& attribute, NodeSyntax& node);
+  void read_node_attribute(const pugi::xml_attribute& attribute, NodeExtras& extras);
 
   // Statements
   void read_statement(const pugi::xml_node& element);
@@ -97,7 +97,7 @@ class XmlReader {
 
   // Nodes
   NodeSyntax read_node(const pugi::xml_node& element);
-  void read_instance(const pugi::xml_node& element, NodeSyntax& node);
+  void read_instance(const pugi::xml_node& element, NodeSyntax& node, NodeExtras& extras);
   void read_body(const pugi::xml_node& element);
   void read_child_node(const pugi::xml_node& element);
   void read_field_value(const pugi::xml_node& element);
@@ -252,19 +252,19 @@ ValueSyntax XmlReader::lexical_value(const pugi::xml_attribute& attribute) {
   ValueSyntax value;
   value.kind = ValueKind::lexical;
   value.span = value_span(attribute);
-  value.strings = build_.add_string(decode_xml(value.span, build_), value.span);
-  if (value.strings.empty()) value.kind = ValueKind::none;  // not admitted
+  value.hold(build_.add_string(decode_xml(value.span, build_), value.span));
+  if (value.count == 0) value.kind = ValueKind::none;  // not admitted
   return value;
 }
 
-void XmlReader::read_node_attribute(const pugi::xml_attribute& attribute, NodeSyntax& node) {
+void XmlReader::read_node_attribute(const pugi::xml_attribute& attribute, NodeExtras& extras) {
   const std::string_view name = attribute.name();
   if (name == "DEF") {
-    node.def = value_name(attribute);
+    extras.def = value_name(attribute);
   } else if (name == "USE") {
-    node.use = value_name(attribute);
+    extras.use = value_name(attribute);
   } else if (name == "containerField") {
-    node.container_field = value_name(attribute);
+    extras.container_field = value_name(attribute);
   } else if (name != "class" && name != "id" && name.find(':') == std::string_view::npos && name != "xmlns") {
     const Span span = name_span(attribute);
     build_.add_field({{build_.sources.text(span), span}, lexical_value(attribute)}, span);
@@ -377,26 +377,27 @@ NodeSyntax XmlReader::read_node(const pugi::xml_node& element) {
     return node;
   }
   ++depth_;
+  NodeExtras extras;
   const OpenBody body = build_.open_body();
   if (std::string_view(element.name()) == "ProtoInstance") {
-    read_instance(element, node);
+    read_instance(element, node, extras);
   } else {
     node.type = {build_.sources.text(tag_span(element)), tag_span(element)};
-    for (const auto& attribute : element.attributes()) read_node_attribute(attribute, node);
+    for (const auto& attribute : element.attributes()) read_node_attribute(attribute, extras);
   }
-  if (!node.use.empty()) node.type = {};
+  if (!extras.use.empty()) node.type = {};
   read_body(element);
   if (element.child("IS")) read_connections(element, body);
-  build_.close_body(body, node);
+  build_.close_body(body, node, extras);
   --depth_;
   return node;
 }
 
-void XmlReader::read_instance(const pugi::xml_node& element, NodeSyntax& node) {
-  node.def = optional_name(element, "DEF");
-  node.use = optional_name(element, "USE");
-  node.container_field = optional_name(element, "containerField");
-  if (node.use.empty()) node.type = required_name(element, "name");
+void XmlReader::read_instance(const pugi::xml_node& element, NodeSyntax& node, NodeExtras& extras) {
+  extras.def = optional_name(element, "DEF");
+  extras.use = optional_name(element, "USE");
+  extras.container_field = optional_name(element, "containerField");
+  if (extras.use.empty()) node.type = required_name(element, "name");
 }
 
 void XmlReader::read_body(const pugi::xml_node& element) {
@@ -409,7 +410,7 @@ void XmlReader::read_body(const pugi::xml_node& element) {
       if (blank) continue;
       const bool verbatim = child.type() == pugi::node_cdata;
       MappedText text;
-      if (verbatim) append_with_line_feeds(text, build_.sources.text(span), source_, span.begin);
+      if (verbatim) append_with_line_feeds(text, build_.sources, span);
       build_.add_cdata(verbatim ? std::move(text) : decode_xml(span, build_), span);
     } else if (name == "field") {
       read_interface(child);
@@ -428,7 +429,7 @@ void XmlReader::read_child_node(const pugi::xml_node& element) {
   field.value.span = element_span(element);
   const std::size_t mark = build_.nodes.open();
   build_.add_list_node(read_node(element));
-  field.value.nodes = build_.nodes.close(mark, build_.document.nodes);
+  field.value.hold(build_.nodes.close(mark, build_.document.nodes));
   build_.add_field(field, field.name.span);
 }
 
@@ -473,7 +474,7 @@ void XmlReader::read_value_children(const pugi::xml_node& element, ValueSyntax& 
   value = {};
   value.kind = ValueKind::nodes;
   value.span = element_span(element);
-  value.nodes = nodes;
+  value.hold(nodes);
 }
 
 /// The `<IS>` of a node, read behind its fields.

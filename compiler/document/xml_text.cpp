@@ -113,7 +113,9 @@ MappedText decode_xml(const Span& span, DocumentBuilder& builder) {
   const std::string_view raw = builder.sources.text(span);
   std::size_t done = 0;
   const auto append_run = [&](std::size_t end) {
-    append_with_line_feeds(decoded, raw.substr(done, end - done), span.source, span.begin + static_cast<std::uint32_t>(done));
+    append_with_line_feeds(
+        decoded, builder.sources,
+        {span.source, span.begin + static_cast<std::uint32_t>(done), span.begin + static_cast<std::uint32_t>(end)});
     done = end;
   };
   for (std::size_t at = raw.find('&'); at != std::string_view::npos; at = raw.find('&', at + 1)) {

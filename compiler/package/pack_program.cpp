@@ -205,7 +205,7 @@ std::uint32_t SourceList::index(SourceId source) {
 
 std::vector<PackedLineOrigin> SourceList::origins(const MappedText& text) {
   std::vector<PackedLineOrigin> origins;
-  const std::string& all = text.text();
+  const std::string_view all = text.text();
   for (std::size_t begin = 0; begin < all.size();) {
     const std::size_t end = std::min(all.find('\n', begin), all.size());
     const std::size_t word = std::min(all.find_first_not_of(" \t\r", begin), end);

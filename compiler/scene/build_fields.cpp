@@ -26,13 +26,13 @@ bool is_url(std::string_view field) {
 void GraphBuilder::build_fields(const Job& job, NodeId id) {
   const NodeSyntax& syntax = *job.node;
   const Document& text = document(*job.scope);
-  for (const StatementSyntax& statement : text.of(syntax.statements)) {
+  for (const StatementSyntax& statement : text.of(syntax.extras->statements)) {
     if (statement.kind == StatementKind::proto) declare_prototype(*job.scope, statement.index, false);
     if (statement.kind == StatementKind::externproto) declare_prototype(*job.scope, statement.index, true);
   }
   build_interface(job, id);
   for (const FieldSyntax& field : text.of(syntax.fields)) build_field(job, id, field);
-  for (const StatementSyntax& statement : text.of(syntax.statements)) {
+  for (const StatementSyntax& statement : text.of(syntax.extras->statements)) {
     if (statement.kind != StatementKind::route) continue;
     Job route;
     route.kind = JobKind::statement;
@@ -85,7 +85,7 @@ void GraphBuilder::build_node_field(const Job& job, NodeId id, const FieldInfo& 
 }
 
 void GraphBuilder::build_interface(const Job& job, NodeId id) {
-  const std::span<const InterfaceSyntax> declared = document(*job.scope).of(job.node->interface);
+  const std::span<const InterfaceSyntax> declared = document(*job.scope).of(job.node->extras->interface);
   if (declared.empty()) return;
   const NodeInfo& info = *graph_.nodes_[id.value].info;
   if (!info.has_interface) {
@@ -178,10 +178,10 @@ bool GraphBuilder::holds_nodes(const ValueSyntax& value, const ValueContract& co
 }
 
 void GraphBuilder::push_nodes(const Job& job, const ValueSyntax& value, const Destination& to, Scope& scope) {
-  if (value.kind != ValueKind::nodes || value.nodes.empty()) return;
+  if (value.kind != ValueKind::nodes || value.count == 0) return;
   Job child;
-  child.node = document(scope).of(value.nodes).data();
-  child.following = value.nodes.count - 1;
+  child.node = document(scope).of(value.nodes()).data();
+  child.following = value.count - 1;
   child.scope = &scope;
   child.to = to;
   child.depth = job.depth + 1;

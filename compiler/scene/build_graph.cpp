@@ -112,7 +112,7 @@ void GraphBuilder::build_node(const Job& written) {
   Job job = written;
   if (job.stands_for == nullptr) job.to.written = job.node;
   const Name& type = job.node->type;
-  if (!job.node->use.empty()) return place_use(job);
+  if (!job.node->extras->use.empty()) return place_use(job);
   if (Prototype* prototype = find_prototype(*job.scope, type.text)) return instantiate(job, *prototype);
   if (const NodeInfo* info = find_node_info(type.text)) return create_node(job, *info);
   if (!is_reported(DiagnosticId::node_unknown, type.span)) {
@@ -123,7 +123,7 @@ void GraphBuilder::build_node(const Job& written) {
 
 void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
   const NodeSyntax& syntax = *job.node;
-  if (!spend(1 + syntax.fields.count + syntax.interface.count, syntax.type.span)) return;
+  if (!spend(1 + syntax.fields.count + syntax.extras->interface.count, syntax.type.span)) return;
   if (job.depth > kMaxSceneDepth) {
     return report(DiagnosticId::nesting_limit, syntax.type.span,
                   fmt::format("more than {} nodes inside one another", kMaxSceneDepth));
@@ -132,13 +132,13 @@ void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
   GraphNode& node = graph_.nodes_.emplace_back();
   heights_.push_back(0);
   node.info = &info;
-  node.def = syntax.def.text;
+  node.def = syntax.extras->def.text;
   node.span = syntax.span;
   node.type_span = syntax.type.span;
   node.document = job.scope->document;
-  const std::span<const MappedText> cdata = document(*job.scope).of(syntax.cdata);
+  const std::span<const MappedText> cdata = document(*job.scope).of(syntax.extras->cdata);
   node.cdata.assign(cdata.begin(), cdata.end());
-  Definition* definition = define(*job.scope, syntax.def);
+  Definition* definition = define(*job.scope, syntax.extras->def);
   if (definition != nullptr) definition->node = id;
   place(job, id);
 

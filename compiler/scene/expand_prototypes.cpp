@@ -123,7 +123,7 @@ Instance& GraphBuilder::new_instance(const Job& job, const Prototype& prototype)
   Instance& instance = instances_.emplace_back();
   instance.prototype = &prototype;
   instance.stands_for = job.stands_for;
-  instance.definition = define(*job.scope, job.node->def);
+  instance.definition = define(*job.scope, job.node->extras->def);
   if (instance.definition != nullptr) instance.definition->instance = &instance;
   Scope& body = scopes_.emplace_back();
   body.document = prototype.document;
@@ -194,9 +194,9 @@ void GraphBuilder::give_value(const Job& job, Instance& instance, ProtoField& fi
 
 /// XML: a node directly inside an instance goes to the field that it names, else to the first one for nodes.
 ProtoField* GraphBuilder::container_of(Instance& instance, const FieldSyntax& child, const Document& text) {
-  const std::span<const NodeSyntax> nodes = text.of(child.value.nodes);
+  const std::span<const NodeSyntax> nodes = text.of(child.value.nodes());
   if (!nodes.empty()) {
-    ProtoField* named = find_proto_field(instance, nodes[0].container_field.text);
+    ProtoField* named = find_proto_field(instance, nodes[0].extras->container_field.text);
     if (named != nullptr && is_node(named->type)) return named;
   }
   const auto first =
@@ -206,8 +206,8 @@ ProtoField* GraphBuilder::container_of(Instance& instance, const FieldSyntax& ch
 
 /// The interface field that `IS name` means in a body, with a link from it to what it feeds.
 ProtoField* GraphBuilder::follow_is(const Scope& scope, const ValueSyntax& is, FieldType type, const Link& link) {
-  const std::span<const MappedText> text = document(scope).of(is.strings);
-  const std::string name = text.empty() ? "" : text[0].text();
+  const std::span<const MappedText> text = document(scope).of(is.strings());
+  const std::string_view name = text.empty() ? std::string_view() : text[0].text();
   if (scope.instance == nullptr) {
     report(DiagnosticId::proto_unknown_field, is.span, fmt::format("`IS {}` stands outside a prototype's body", name));
     return nullptr;

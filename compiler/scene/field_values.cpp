@@ -39,7 +39,7 @@ bool is_integer(FieldType type) {
 }
 
 std::span<const double> lexical_numbers(const Reading& reading) {
-  const std::span<const MappedText> text = reading.document.of(reading.syntax.strings);
+  const std::span<const MappedText> text = reading.document.of(reading.syntax.strings());
   if (text.empty()) return {};
   return reading.store.numbers.emplace_back(read_lexical_numbers(text[0], reading.diagnostics));
 }
@@ -50,7 +50,7 @@ std::optional<std::span<const double>> numbers_of(const Reading& reading) {
   if (kind == ValueKind::lexical) return lexical_numbers(reading);
   if (kind == ValueKind::empty) return std::span<const double>();
   const bool fits = is_boolean(reading.contract.type) ? kind == ValueKind::booleans : kind == ValueKind::numbers;
-  if (fits) return reading.document.of(reading.syntax.numbers);
+  if (fits) return reading.document.of(reading.syntax.numbers());
   reading.wrong_type(fmt::format("{} stand here", describe(kind)));
   return std::nullopt;
 }
@@ -145,7 +145,7 @@ bool read_numbers(const Reading& reading, FieldValue& value) {
 
 bool read_strings(const Reading& reading, FieldValue& value) {
   const bool multiple = is_multiple(reading.contract.type);
-  const std::span<const MappedText> written = reading.document.of(reading.syntax.strings);
+  const std::span<const MappedText> written = reading.document.of(reading.syntax.strings());
   switch (reading.syntax.kind) {
     case ValueKind::lexical:
       value.strings = written;  // an SFString attribute is the string itself

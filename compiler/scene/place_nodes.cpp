@@ -49,7 +49,7 @@ std::string accepted_types(const FieldInfo& field) {
 }
 
 Span place_of(const Destination& to) {
-  return to.written->use.empty() ? to.written->type.span : to.written->use.span;
+  return to.written->extras->use.empty() ? to.written->type.span : to.written->extras->use.span;
 }
 
 std::vector<std::string_view> defined_names(const Scope& scope) {
@@ -76,7 +76,7 @@ std::string unknown_name_hint(const Scope& scope, std::string_view name, const s
 bool only_refers(const Destination& to, const NodeInfo* holder) {
   if (holder == nullptr) return false;
   if (is_a(*holder, "X3DScriptNode")) return true;
-  const std::string_view field = to.field != nullptr ? to.field->name : to.written->container_field.text;
+  const std::string_view field = to.field != nullptr ? to.field->name : to.written->extras->container_field.text;
   return std::find(kReferences.begin(), kReferences.end(), field) != kReferences.end();
 }
 
@@ -100,7 +100,7 @@ void GraphBuilder::place(const Job& job, NodeId id) {
 bool GraphBuilder::choose_container(Destination& to, NodeId id) {
   const NodeInfo& holder = *graph_.nodes_[to.holder.value].info;
   const NodeInfo& node = *graph_.nodes_[id.value].info;
-  const Name& written = to.written->container_field;
+  const Name& written = to.written->extras->container_field;
   if (!written.empty() && !takes(find_field_info(holder, written.text))) {
     report(DiagnosticId::field_unknown, written.span,
            fmt::format("`{}` has no field `{}` for nodes", holder.name, written.text));
@@ -125,7 +125,7 @@ bool GraphBuilder::choose_container(Destination& to, NodeId id) {
 }
 
 void GraphBuilder::place_use(const Job& job) {
-  const Name& name = job.node->use;
+  const Name& name = job.node->extras->use;
   if (!spend(1, name.span)) return;
   const auto found = job.scope->definitions.find(name.text);
   if (found == job.scope->definitions.end()) {

@@ -78,7 +78,7 @@ std::vector<std::string> read_libraries(SceneContext& context, NodeId effect) {
   std::vector<std::string> libraries;
   for (const MappedText& url : context.graph.field(effect, "shaderLibraries").strings) {
     if (std::find(kLibraries.begin(), kLibraries.end(), url.text()) != kLibraries.end()) {
-      libraries.push_back(url.text());
+      libraries.emplace_back(url.text());
       continue;
     }
     context.diagnostics.report(
@@ -95,7 +95,7 @@ Wrap read_wrap(const NodeGraph& graph, NodeId texture, std::string_view field) {
 TextureMode read_mode(SceneContext& context, NodeId multi_texture, std::size_t index) {
   const auto modes = context.graph.field(multi_texture, "mode").strings;
   if (index >= modes.size()) return TextureMode::modulate;
-  const std::string& mode = modes[index].text();
+  const std::string_view mode = modes[index].text();
   if (mode == "MODULATE") return TextureMode::modulate;
   if (mode == "REPLACE" || mode == "SELECTARG1") return TextureMode::replace;
   if (mode == "ADD") return TextureMode::add;

@@ -24,21 +24,21 @@ struct DocumentCheck {
 
   void value(const ValueSyntax& value) const {
     place(value.span);
-    range(value.numbers, document.numbers);
-    range(value.strings, document.strings);
-    range(value.nodes, document.nodes);
+    range(value.numbers(), document.numbers);
+    range(value.strings(), document.strings);
+    range(value.nodes(), document.nodes);
     const bool one_string = value.kind == ValueKind::is || value.kind == ValueKind::lexical;
-    PLUGC_CHECK(!one_string || value.strings.count == 1, "IS and lexical values have one string");
+    PLUGC_CHECK(!one_string || value.count == 1, "IS and lexical values have one string");
   }
 
   void all() const {
     for (const NodeSyntax& node : document.nodes) {
       place(node.span);
       range(node.fields, document.fields);
-      range(node.interface, document.interfaces);
-      range(node.statements, document.statement_pool);
-      range(node.cdata, document.strings);
-      for (const Name* name : {&node.type, &node.def, &node.use, &node.container_field}) place(name->span);
+      range(node.extras->interface, document.interfaces);
+      range(node.extras->statements, document.statement_pool);
+      range(node.extras->cdata, document.strings);
+      for (const Name* name : {&node.type, &node.extras->def, &node.extras->use, &node.extras->container_field}) place(name->span);
     }
     for (const FieldSyntax& field : document.fields) value(field.value);
     for (const InterfaceSyntax& field : document.interfaces) value(field.value);

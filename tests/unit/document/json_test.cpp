@@ -39,7 +39,7 @@ TEST(Document, SpansWhatJsonSays) {
   const Document& document = reading.document;
   EXPECT_EQ(written(document.nodes.at(0).span), "\"Box\":{\"@size\":[ 1, 2,3 ]}");
   EXPECT_EQ(written(document.nodes.at(0).type.span), "Box");
-  EXPECT_EQ(written(document.nodes.at(1).def.span), "S");
+  EXPECT_EQ(written(document.nodes.at(1).extras->def.span), "S");
   EXPECT_EQ(written(document.fields.at(0).name.span), "size");
   EXPECT_EQ(written(document.fields.at(0).value.span), "[ 1, 2,3 ]");
   EXPECT_EQ(written(document.fields.at(1).value.span), "{ \"Box\":{\"@size\":[ 1, 2,3 ]} }");
@@ -73,8 +73,8 @@ TEST(Document, DecodesEscapesOfJsonAndKeepsTheirPlaces) {
 
 TEST(Document, DecodesNamesOfJson) {
   const Reading reading(json(R"({"Group":{"@DEF":"a\/b"}})"));
-  EXPECT_EQ(reading.document.nodes.at(0).def.text, "a/b");
-  EXPECT_EQ(reading.sources.text(reading.document.nodes.at(0).def.span), R"(a\/b)");
+  EXPECT_EQ(reading.document.nodes.at(0).extras->def.text, "a/b");
+  EXPECT_EQ(reading.sources.text(reading.document.nodes.at(0).extras->def.span), R"(a\/b)");
 }
 
 TEST(Document, JoinsTheLinesOfShaderCode) {
@@ -85,7 +85,7 @@ TEST(Document, JoinsTheLinesOfShaderCode) {
   EXPECT_EQ(lines.text(), "\nvoid main()\n{ }");
   EXPECT_EQ(reading.sources.text(lines.locate(13, 16)), "{ }");
   EXPECT_EQ(reading.document.strings.at(1).text(), "a\nb");
-  EXPECT_EQ(reading.document.nodes.at(1).cdata.count, 1U);
+  EXPECT_EQ(reading.document.nodes.at(1).extras->cdata.count, 1U);
 }
 
 TEST(Document, ReadsInterfacesOfJson) {

@@ -24,7 +24,7 @@ struct Lexical {
 
 std::vector<std::string> strings_of(Lexical& lexical) {
   std::vector<std::string> strings;
-  for (const MappedText& text : read_lexical_strings(lexical.text, lexical.diagnostics)) strings.push_back(text.text());
+  for (const MappedText& text : read_lexical_strings(lexical.text, lexical.diagnostics)) strings.emplace_back(text.text());
   return strings;
 }
 

@@ -127,9 +127,9 @@ TEST(Document, PassesOverTheHeadAndADoctype) {
 
 TEST(Document, DecodesNames) {
   const Reading reading(xml("<Group DEF='a&amp;b'/><Group USE='a&amp;b'/>"));
-  EXPECT_EQ(reading.document.nodes.at(0).def.text, "a&b");
-  EXPECT_EQ(reading.document.nodes.at(1).use.text, "a&b");
-  EXPECT_EQ(reading.sources.text(reading.document.nodes.at(0).def.span), "a&amp;b");
+  EXPECT_EQ(reading.document.nodes.at(0).extras->def.text, "a&b");
+  EXPECT_EQ(reading.document.nodes.at(1).extras->use.text, "a&b");
+  EXPECT_EQ(reading.sources.text(reading.document.nodes.at(0).extras->def.span), "a&amp;b");
 }
 
 // Mistakes
