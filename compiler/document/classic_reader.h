@@ -33,7 +33,7 @@ class ClassicReader {
 
   // Nodes and interfaces
   std::optional<NodeSyntax> read_node();
-  void read_node_body(NodeSyntax& node, const NodeExtras& extras);
+  void read_node_body(NodeSyntax& node, NodeExtras& extras);
   void read_body_item();
   void read_field();
   void read_interface(AccessType access, bool default_allowed);

@@ -45,9 +45,8 @@ void ClassicScanner::skip_comments() {
 const char* ClassicScanner::token_end() const {
   if (at_ == end_) return end_;
   if (*at_ == '"') return string_end(at_, end_);
-  const char* end = std::find_if_not(
-      at_, end_, next_is(kNumberStart) ? runs_on_number : [](char c) { return is_a(c, kWordRest); });
-  return end == at_ ? at_ + 1 : end;
+  if (next_is(kNumberStart)) return std::find_if_not(at_, end_, runs_on_number);
+  return at_ + std::max<std::size_t>(peek_word().size(), 1);
 }
 
 Span ClassicScanner::next_span() const {
@@ -60,15 +59,10 @@ std::string ClassicScanner::describe_next() const {
   return described({at_, static_cast<std::size_t>(token_end() - at_)});
 }
 
-std::string_view ClassicScanner::peek_word() const {
-  if (!next_is(kWordStart)) return "";
-  return {at_, static_cast<std::size_t>(token_end() - at_)};
-}
-
 Name ClassicScanner::take_word() {
   const std::uint32_t begin = offset();
   const std::string_view word = peek_word();
-  if (!word.empty()) finish_token(at_ + word.size());
+  if (!word.empty()) finish_token(word_end_);
   return {word, span_from(begin)};
 }
 

@@ -39,7 +39,11 @@ class ClassicScanner {
     return true;
   }
 
-  std::string_view peek_word() const;
+  /// The word that is next, or "".
+  std::string_view peek_word() const {
+    if (word_ != at_) find_word();
+    return {word_, static_cast<std::size_t>(word_end_ - word_)};
+  }
   Name take_word();
   /// Whether `{` follows the word that is next.
   bool brace_follows_word() const;
@@ -78,10 +82,19 @@ class ClassicScanner {
     skip_space();
   }
   void skip_space() {
+    constexpr std::string_view kIndentation = "        ";
+    while (static_cast<std::size_t>(end_ - at_) >= kIndentation.size() && kIndentation == std::string_view(at_, kIndentation.size())) {
+      at_ += kIndentation.size();
+    }
     while (at_ != end_ && is_a(*at_, kSpaceCharacter)) ++at_;
     if (at_ != end_ && *at_ == '#') skip_comments();
   }
   void skip_comments();
+  void find_word() const {
+    word_ = word_end_ = at_;
+    if (!next_is(kWordStart)) return;
+    while (word_end_ != end_ && is_a(*word_end_, kWordRest)) ++word_end_;
+  }
   bool take_odd_number(double& value);
   const char* token_end() const;
 
@@ -91,6 +104,8 @@ class ClassicScanner {
   const char* at_;
   const char* end_;
   const char* read_to_;
+  mutable const char* word_ = nullptr;  // where peek_word() looked last, and what it found
+  mutable const char* word_end_ = nullptr;
 };
 
 }  // namespace plugc

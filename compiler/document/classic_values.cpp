@@ -162,7 +162,7 @@ bool ClassicReader::read_list_word(ValueSyntax& value) {
 void ClassicReader::read_list_node(ValueSyntax& value) {
   const bool fits = value.kind == ValueKind::none || value.kind == ValueKind::nodes;
   if (!fits) report_mixed_list(value.kind);
-  const PoolSizes before = build_.pool_sizes();
+  const PoolSizes before = fits ? PoolSizes{} : build_.pool_sizes();
   auto node = read_node();
   if (!fits) return build_.drop_since(before);
   value.kind = ValueKind::nodes;

@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "base/limits.h"
-
 namespace plugc {
 
 DocumentBuilder::DocumentBuilder(SourceId source, Encoding encoding, const SourceSet& texts, Diagnostics& sink)
@@ -36,14 +34,18 @@ void DocumentBuilder::too_deep(const Span& span) {
   if (++mistakes_ >= kMaxSyntaxMistakes) stopped_ = true;
 }
 
-bool DocumentBuilder::admit(const Span& place) {
-  if (stopped_) return false;
-  if (++items_ <= kMaxDocumentItems) return true;
+void DocumentBuilder::expect(std::size_t nodes_written, std::size_t fields_written, std::size_t strings_written) {
+  document.nodes.reserve(std::min(nodes_written, kMaxDocumentItems));
+  document.fields.reserve(std::min(fields_written, kMaxDocumentItems));
+  document.strings.reserve(std::min(strings_written, kMaxDocumentItems));
+}
+
+void DocumentBuilder::stop_at_limit(const Span& place) {
+  if (stopped_) return;
   stopped_ = true;
   diagnostics.report(
       DiagnosticId::scene_limit, place,
       fmt::format("this file holds more than {} nodes, fields and strings; the rest of it is not read", kMaxDocumentItems));
-  return false;
 }
 
 OpenBody DocumentBuilder::open_body() const {
@@ -54,7 +56,7 @@ void DocumentBuilder::give(NodeSyntax& node, const NodeExtras& extras) {
   if (extras.any()) node.extras = &document.extras.emplace_back(extras);
 }
 
-void DocumentBuilder::close_body(const OpenBody& body, NodeSyntax& node, NodeExtras extras) {
+void DocumentBuilder::close_body(const OpenBody& body, NodeSyntax& node, NodeExtras& extras) {
   node.fields = fields.close(body.fields, document.fields);
   extras.interface = interfaces.close(body.interface, document.interfaces);
   extras.statements = statements.close(body.statements, document.statement_pool);
@@ -62,16 +64,8 @@ void DocumentBuilder::close_body(const OpenBody& body, NodeSyntax& node, NodeExt
   give(node, extras);
 }
 
-void DocumentBuilder::add_field(FieldSyntax field, const Span& place) {
-  if (admit(place)) fields.add(std::move(field));
-}
-
 void DocumentBuilder::add_interface(InterfaceSyntax field) {
   if (admit(field.span)) interfaces.add(std::move(field));
-}
-
-void DocumentBuilder::add_list_node(NodeSyntax node) {
-  if (admit(node.span)) nodes.add(std::move(node));
 }
 
 void DocumentBuilder::add_cdata(MappedText text, const Span& place) {

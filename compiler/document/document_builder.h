@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/diagnostics.h"
+#include "base/limits.h"
 #include "document/document.h"
 
 namespace plugc {
@@ -24,6 +25,7 @@ class OpenLists {
 
   /// Moves the items since `mark` into the pool.
   Range<T> close(std::size_t mark, std::vector<T>& pool) {
+    if (mark == items_.size()) return {};
     const Range<T> range{static_cast<std::uint32_t>(pool.size()), static_cast<std::uint32_t>(items_.size() - mark)};
     const auto first = items_.begin() + static_cast<std::ptrdiff_t>(mark);
     pool.insert(pool.end(), std::make_move_iterator(first), std::make_move_iterator(items_.end()));
@@ -58,15 +60,21 @@ class DocumentBuilder {
   void mistake(const Span& span, std::string message);
   void too_deep(const Span& span);
   bool stopped() const { return stopped_; }
+  /// Makes room, so that the pools of a large file do not grow by moving. Room that is never used costs nothing.
+  void expect(std::size_t nodes, std::size_t fields, std::size_t strings);
 
   OpenBody open_body() const;
   /// Ends the lists of the node's body; what `extras` has then belongs to the node.
-  void close_body(const OpenBody& body, NodeSyntax& node, NodeExtras extras);
+  void close_body(const OpenBody& body, NodeSyntax& node, NodeExtras& extras);
   void give(NodeSyntax& node, const NodeExtras& extras);
 
-  void add_field(FieldSyntax field, const Span& place);
+  void add_field(const FieldSyntax& field, const Span& place) {
+    if (admit(place)) fields.add(field);
+  }
   void add_interface(InterfaceSyntax field);
-  void add_list_node(NodeSyntax node);
+  void add_list_node(const NodeSyntax& node) {
+    if (admit(node.span)) nodes.add(node);
+  }
   void add_cdata(MappedText text, const Span& place);
   /// The connections of a node, behind its other fields: an interface field of the node itself takes one as its value, as in
   /// the classic `field SFFloat a IS b`.
@@ -95,7 +103,12 @@ class DocumentBuilder {
   OpenLists<MappedText> cdata;
 
  private:
-  bool admit(const Span& place);
+  bool admit(const Span& place) {
+    if (items_ >= kMaxDocumentItems) stop_at_limit(place);
+    if (!stopped_) ++items_;
+    return !stopped_;
+  }
+  void stop_at_limit(const Span& place);
   std::size_t items_ = 0;
   std::size_t mistakes_ = 0;
   bool stopped_ = false;

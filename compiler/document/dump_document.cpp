@@ -115,7 +115,8 @@ void Dump::node(const NodeSyntax& node) {
   if (!extras.use.empty()) {
     line(node.span, "USE {}", extras.use.text);
   } else {
-    line(node.span, "{}{}{}{}", extras.def.empty() ? "" : "DEF ", extras.def.text, extras.def.empty() ? "" : " ", node.type.text);
+    line(node.span, "{}{}{}{}", extras.def.empty() ? "" : "DEF ", extras.def.text, extras.def.empty() ? "" : " ",
+         node.type.text);
   }
   ++level_;
   if (!extras.container_field.empty()) line(extras.container_field.span, "containerField {}", extras.container_field.text);

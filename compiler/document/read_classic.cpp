@@ -16,6 +16,7 @@ namespace plugc {
 namespace {
 
 std::optional<AccessType> access_type(std::string_view word) {
+  if (word.empty() || std::string_view("eifo").find(word[0]) == std::string_view::npos) return std::nullopt;  // said of most
   if (word == "inputOnly" || word == "eventIn") return AccessType::input_only;
   if (word == "outputOnly" || word == "eventOut") return AccessType::output_only;
   if (word == "initializeOnly" || word == "field") return AccessType::initialize_only;
@@ -45,6 +46,10 @@ std::vector<std::string_view> header_words(std::string_view text) {
 
 Document ClassicReader::read(std::string_view version, const Span& version_span) {
   if (!version.empty()) set_version(build_, version, version_span);
+  const std::string_view text = build_.sources.text(build_.document.source);
+  constexpr std::size_t kFieldsOfNode = 2;  // more than usual
+  const auto braces = static_cast<std::size_t>(std::count(text.begin(), text.end(), '{'));
+  build_.expect(braces, kFieldsOfNode * braces, 0);
   const std::size_t mark = build_.statements.open();
   read_statements(false);
   build_.document.statements = build_.statements.close(mark, build_.document.statement_pool);
@@ -129,6 +134,7 @@ void ClassicReader::read_statement() {
 
 /// The statements that may also stand inside a node.
 bool ClassicReader::read_body_statement(std::string_view word) {
+  if (!looks_like_node_type(word)) return false;  // a field's name
   if (word == "ROUTE") {
     read_route();
   } else if (word == "PROTO") {
@@ -271,7 +277,7 @@ std::optional<NodeSyntax> ClassicReader::read_node() {
 }
 
 /// A brace that was forgotten is assumed where a body can begin: `geometry Box size 1 1 1 }`.
-void ClassicReader::read_node_body(NodeSyntax& node, const NodeExtras& extras) {
+void ClassicReader::read_node_body(NodeSyntax& node, NodeExtras& extras) {
   if (scan_.next() != '{') {
     expected(fmt::format("`{{` behind `{}`", shown(node.type.text)));
     if (!looks_like_node_type(node.type.text) || !scan_.next_is(kWordStart)) return build_.give(node, extras);
@@ -303,7 +309,7 @@ void ClassicReader::read_body_item() {
 
 /// A node may have a field of its own named `field`, so the word counts only before a type.
 bool ClassicReader::access_word_is_next(AccessType& access) const {
-  const auto found = access_type(scan_.peek_word());
+  const std::optional<AccessType> found = access_type(scan_.peek_word());
   if (!found) return false;
   access = *found;
   ClassicScanner ahead = scan_;

@@ -132,6 +132,7 @@ bool XmlReader::parse() {
                               fmt::format("this file holds more than {} tags or attributes", 2 * kMaxDocumentItems));
     return false;
   }
+  build_.expect(tags, tags + attributes, attributes);
   const unsigned keep_as_written = pugi::parse_cdata;  // no entities, line ends or attribute values converted
   const auto result = tree_.load_buffer_inplace(buffer_.data(), buffer_.size(), keep_as_written, pugi::encoding_utf8);
   extents_ = find_xml_extents(text_, result ? text_.size() : stop_of(result));

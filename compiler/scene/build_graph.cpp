@@ -136,6 +136,7 @@ void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
   node.span = syntax.span;
   node.type_span = syntax.type.span;
   node.document = job.scope->document;
+  node.fields.reserve(std::min<std::size_t>(syntax.fields.count, info.fields.size()));
   const std::span<const MappedText> cdata = document(*job.scope).of(syntax.extras->cdata);
   node.cdata.assign(cdata.begin(), cdata.end());
   Definition* definition = define(*job.scope, syntax.extras->def);

@@ -42,26 +42,54 @@ Frame nodes_frame(Encoding encoding) {
 
 constexpr std::string_view kClassicShape = R"(    Transform {{
       translation {0:.3f} 0.25 {1:.2f}
-      children Shape {{
-        appearance Appearance {{ material Material {{ diffuseColor 0.5 {2:.2f} 0.75 }} }}
-        geometry Box {{ size 1 2 {2:.2f} }}
-      }}
+      children [
+        Shape {{
+          appearance Appearance {{
+            material Material {{
+              diffuseColor 0.5 {2:.2f} 0.75
+            }}
+          }}
+          geometry Box {{
+            size 1 2 {2:.2f}
+          }}
+        }}
+      ]
     }}
 )";
 constexpr std::string_view kXmlShape = R"(    <Transform translation='{0:.3f} 0.25 {1:.2f}'>
       <Shape>
-        <Appearance><Material diffuseColor='0.5 {2:.2f} 0.75'/></Appearance>
+        <Appearance>
+          <Material diffuseColor='0.5 {2:.2f} 0.75'/>
+        </Appearance>
         <Box size='1 2 {2:.2f}'/>
       </Shape>
     </Transform>
 )";
-constexpr std::string_view kJsonShape = R"(    {{ "Transform": {{
-      "@translation": [ {0:.3f}, 0.25, {1:.2f} ],
-      "-children": [ {{ "Shape": {{
-        "-appearance": {{ "Appearance": {{ "-material": {{ "Material": {{ "@diffuseColor": [ 0.5, {2:.2f}, 0.75 ] }} }} }} }},
-        "-geometry": {{ "Box": {{ "@size": [ 1, 2, {2:.2f} ] }} }}
-      }} }} ]
-    }} }},
+constexpr std::string_view kJsonShape = R"(    {{
+      "Transform": {{
+        "@translation": [ {0:.3f}, 0.25, {1:.2f} ],
+        "-children": [
+          {{
+            "Shape": {{
+              "-appearance": {{
+                "Appearance": {{
+                  "-material": {{
+                    "Material": {{
+                      "@diffuseColor": [ 0.5, {2:.2f}, 0.75 ]
+                    }}
+                  }}
+                }}
+              }},
+              "-geometry": {{
+                "Box": {{
+                  "@size": [ 1, 2, {2:.2f} ]
+                }}
+              }}
+            }}
+          }}
+        ]
+      }}
+    }},
 )";
 
 std::string_view shape_format(Encoding encoding) {
