@@ -33,7 +33,7 @@ std::string upper_case(std::string text) {
 }
 
 std::string string_at(std::span<const MappedText> strings, std::size_t index, std::string otherwise) {
-  return index < strings.size() && !strings[index].empty() ? upper_case(strings[index].text()) : otherwise;
+  return index < strings.size() && !strings[index].empty() ? upper_case(std::string(strings[index].text())) : otherwise;
 }
 
 Style style_of(const GeometrySource& source) {
