@@ -115,7 +115,7 @@ std::string encode(const Candidate& candidate) {
 
 std::string encode(const ProgramText& program) {
   Candidate candidate{program.target, {}};
-  for (const StageText& stage : program.stages) candidate.stages.push_back({stage.stage, stage.text.text()});
+  for (const StageText& stage : program.stages) candidate.stages.push_back({stage.stage, std::string(stage.text.text())});
   return encode(candidate);
 }
 
