@@ -88,9 +88,7 @@ fs::path default_root(const fs::path& scene) {
   }
   const fs::path current = real_path(fs::current_path(error));
   if (folder.empty()) return current;  // never empty, which would allow every file
-  if (current != current.root_path() && lies_under(folder, current)) return current;
-  const fs::path parent = folder.parent_path();
-  return parent == parent.root_path() ? folder : parent;
+  return current != current.root_path() && lies_under(folder, current) ? current : folder;
 }
 
 std::optional<fs::path> resolve_url(std::string_view url, const fs::path& base) {

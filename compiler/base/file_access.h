@@ -48,8 +48,7 @@ class MemoryFiles : public FileAccess {
 };
 
 /// The folder that a scene may read: the nearest one above it that holds `.plugc.toml` or `.git`, else the current folder
-/// where that lies above it, else the folder above its own (scenes commonly share `../textures`). Neither of the last two
-/// counts when it is `/`; the scene's own folder is taken then.
+/// where that lies above it and is not `/`, else its own folder.
 std::filesystem::path default_root(const std::filesystem::path& scene);
 
 /// Where `url`, written in the file `base`, leads, without its `#fragment`; nullopt when it is no local file (`http:`, `urn:`).

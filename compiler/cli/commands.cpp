@@ -35,7 +35,7 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
   verb.add_option(
       "--root", options.root,
       "Folder that scenes may read files from (default: the nearest one above the scene that holds .plugc.toml or .git, "
-      "else the current folder where the scene lies in it, else the folder above the scene's own)");
+      "else the current folder where the scene lies in it, else the scene's own)");
   verb.add_flag("--no-cache", options.no_cache, "Neither read nor write plugc's cache folder");
 }
 

@@ -97,8 +97,18 @@ TEST_F(Files, FindsTheRootByItsMarker) {
   EXPECT_EQ(default_root(root() / "sub/x.x3dv"), root());
 }
 
-TEST_F(Files, FallsBackToTheFolderAboveTheScene) {
-  EXPECT_EQ(default_root(root() / "sub/x.x3dv"), root());
+TEST_F(Files, FallsBackToTheFolderOfTheScene) {
+  EXPECT_EQ(default_root(root() / "sub/x.x3dv"), root() / "sub");
+}
+
+TEST_F(Files, TakesTheCurrentFolderWhereTheSceneLiesInIt) {
+  const fs::path before = fs::current_path();
+  fs::current_path(root());
+  EXPECT_EQ(default_root("sub/x.x3dv"), root());
+  EXPECT_EQ(default_root(folder_ / "x.x3dv"), folder_);
+  write("root/sub/.plugc.toml", "");
+  EXPECT_EQ(default_root("sub/x.x3dv"), root() / "sub");
+  fs::current_path(before);
 }
 
 TEST_F(Files, ReadsAUrlOrSaysWhyNot) {
