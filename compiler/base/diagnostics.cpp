@@ -127,7 +127,7 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
   constexpr std::size_t kLongestName = 64;
   if (name.size() > kLongestName) return "";
   std::string_view nearest;
-  std::size_t best = std::max<std::size_t>(name.size() / 3, 1) + 1;
+  std::size_t best = std::min(std::max<std::size_t>(name.size() / 3, 1) + 1, name.size());  // something of it must stay
   for (const std::string_view candidate : candidates) {
     if (candidate == name || candidate.size() > kLongestName) continue;
     const std::size_t distance = edit_distance(name, candidate);

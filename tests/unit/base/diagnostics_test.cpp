@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -125,6 +126,7 @@ TEST(Base, FindsTheNearestName) {
   EXPECT_EQ(nearest_name(std::string(5000, 'x'), kNames), "");
   EXPECT_EQ(did_you_mean("ligt_scale", kNames), "; did you mean `light_scale`?");
   EXPECT_EQ(did_you_mean("zzz", kNames), "");
+  EXPECT_EQ(did_you_mean("z", std::vector<std::string_view>{"a", "b"}), "");
 }
 
 TEST(Base, GivesEveryKindACodeOfItsOwn) {
