@@ -63,17 +63,23 @@ class SceneWalk {
   std::vector<std::vector<NodeId>> receives_;  // per shape: lights that its Appearance names
   std::uint32_t visited_ = 0;
   std::uint32_t depth_ = 0;
+  bool limit_reached_ = false;
 };
 
 bool SceneWalk::within_limits(NodeId node) {
-  const bool within = depth_ < kMaxSceneDepth && visited_ < kMaxSceneNodes && context_.scene.shapes.size() < kMaxShapeInstances;
-  if (!within) {
-    context_.diagnostics.report(
-        DiagnosticId::scene_limit, graph_[node].type_span,
-        fmt::format("the scene has more than {} shapes, {} nodes or {} levels here; the rest of it is left out",
-                    kMaxShapeInstances, kMaxSceneNodes, kMaxSceneDepth));
+  if (limit_reached_ || depth_ >= kMaxSceneDepth) return false;  // so deep a graph was cut, and reported, before
+  std::string reached;
+  if (context_.scene.shapes.size() >= kMaxShapeInstances) {
+    reached = fmt::format("{} shapes", kMaxShapeInstances);
+  } else if (visited_ >= kMaxSceneNodes) {
+    reached = fmt::format("{} nodes", kMaxSceneNodes);
   }
-  return within;
+  if (reached.empty()) return true;
+  limit_reached_ = true;
+  context_.diagnostics.report(
+      DiagnosticId::scene_limit, graph_[node].type_span,
+      fmt::format("every `USE` counted, the scene holds more than {}; what follows is left out", reached));
+  return false;
 }
 
 void SceneWalk::visit_list(std::span<const NodeId> nodes, Scope scope) {
