@@ -20,6 +20,7 @@ class ClassicReader {
   // Statements
   void read_statements(bool inside_braces);
   void read_statement();
+  void read_head_statement(std::string_view word);
   bool read_body_statement(std::string_view word);
   void read_route();
   void read_import();
@@ -71,6 +72,7 @@ class ClassicReader {
   ClassicScanner scan_;
   std::uint32_t depth_ = 0;
   bool end_was_reported_ = false;
+  bool scene_began_ = false;
   std::uint32_t unexpected_at_ = UINT32_MAX;
 };
 

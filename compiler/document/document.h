@@ -108,12 +108,13 @@ struct NodeExtras {
   Name def;              ///< DEF name, or empty.
   Name use;              ///< USE name, or empty.
   Name container_field;  ///< XML, and JSON where it differs from the key.
+  bool is_instance = false;  ///< Written as `ProtoInstance`; the classic encoding makes no difference.
   Range<InterfaceSyntax> interface;
   Range<StatementSyntax> statements;  ///< ROUTE and PROTO inside the body.
   Range<MappedText> cdata;            ///< Code directly inside, in order: CDATA and text of XML, `#sourceCode` of JSON.
 
   bool any() const {
-    return !def.empty() || !use.empty() || !container_field.empty() || !interface.empty() || !statements.empty() ||
+    return !def.empty() || !use.empty() || !container_field.empty() || is_instance || !interface.empty() || !statements.empty() ||
            !cdata.empty();
   }
 };

@@ -24,8 +24,20 @@ std::optional<AccessType> access_type(std::string_view word) {
   return std::nullopt;
 }
 
+bool is_head_word(std::string_view word) {
+  return word == "PROFILE" || word == "COMPONENT" || word == "UNIT" || word == "META";
+}
+
 bool looks_like_field_type(std::string_view word) {
   return word.starts_with("SF") || word.starts_with("MF");
+}
+
+/// Whether `text` begins with `lower`, in letters of either case.
+bool begins_with(std::string_view text, std::string_view lower) {
+  const auto equal = [](char small, char any) {
+    return small == any || (any >= 'A' && any <= 'Z' && small == any - 'A' + 'a');
+  };
+  return text.size() >= lower.size() && std::equal(lower.begin(), lower.end(), text.begin(), equal);
 }
 
 /// The words of the first line: `#X3D V3.2 utf8`.
@@ -42,7 +54,29 @@ std::vector<std::string_view> header_words(std::string_view text) {
   return words;
 }
 
+/// `V3.2`, also where it hangs on the first word; "" when there is none.
+std::string_view version_word(const std::vector<std::string_view>& words, std::size_t name_size) {
+  const std::string_view glued = words[0].substr(std::min(name_size, words[0].size()));
+  return glued.empty() && words.size() > 1 ? words[1] : glued;
+}
+
+/// The first word that a header spells otherwise than the standard, or the last one when there are too few.
+std::optional<std::string_view> odd_word(const std::vector<std::string_view>& words, std::string_view name) {
+  if (words[0] != name) return words[0];
+  if (words.size() > 1 && !words[1].starts_with('V')) return words[1];
+  if (words.size() < 3) return words.back();
+  return words[2] == "utf8" ? std::nullopt : std::optional(words[2]);
+}
+
 }  // namespace
+
+bool is_classic_header(std::string_view text) {
+  return begins_with(text, "#x3d") || begins_with(text, "#vrml");
+}
+
+bool is_vrml1_header(std::string_view text) {
+  return begins_with(text, "#vrml v1");
+}
 
 Document ClassicReader::read(std::string_view version, const Span& version_span) {
   if (!version.empty()) set_version(build_, version, version_span);
@@ -122,14 +156,24 @@ void ClassicReader::read_statements(bool inside_braces) {
 
 void ClassicReader::read_statement() {
   const std::string_view word = scan_.peek_word();
+  if (is_head_word(word)) return read_head_statement(word);
+  scene_began_ = true;
   if (read_body_statement(word)) return;
   if (word == "IMPORT") return read_import();
   if (word == "EXPORT") return read_export();
+  if (auto node = read_node()) build_.add_statement(std::move(*node));
+}
+
+/// ISO/IEC 19776-2, 4.1: these stand between the header and the scene.
+void ClassicReader::read_head_statement(std::string_view word) {
+  if (scene_began_) {
+    build_.diagnostics.report(DiagnosticId::header_odd, scan_.next_span(),
+                              fmt::format("`{}` belongs in front of the scene, behind the header", word));
+  }
   if (word == "PROFILE") return skip_words(2);
   if (word == "COMPONENT") return skip_words(2);
   if (word == "META") return skip_meta();
-  if (word == "UNIT") return skip_unit();
-  if (auto node = read_node()) build_.add_statement(std::move(*node));
+  skip_unit();
 }
 
 /// The statements that may also stand inside a node.
@@ -370,13 +414,24 @@ Document read_classic(SourceId source, const SourceSet& sources, Diagnostics& di
   const std::string_view text = sources.text(source);
   const std::size_t bom = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   const auto words = header_words(text.substr(bom));
-  const bool vrml = !words.empty() && words[0] == "#VRML";
-  const bool x3d = !words.empty() && words[0] == "#X3D";
+  const bool vrml = !words.empty() && begins_with(words[0], "#vrml");
   ClassicReader reader(source, vrml ? Encoding::vrml2 : Encoding::classic, sources, diagnostics);
-  if ((!vrml && !x3d) || words.size() < 2) return reader.read("", {});
-  const auto begin = static_cast<std::uint32_t>(words[1].data() - text.data());
-  const std::string_view version = words[1].substr(words[1].starts_with('V') ? 1 : 0);
-  return reader.read(version, {source, begin, begin + static_cast<std::uint32_t>(words[1].size())});
+  if (words.empty()) return reader.read("", {});
+  const auto span_of = [&](std::string_view word) {
+    const auto begin = static_cast<std::uint32_t>(word.data() - text.data());
+    return Span{source, begin, begin + static_cast<std::uint32_t>(word.size())};
+  };
+  const std::string_view name = vrml ? "#VRML" : "#X3D";
+  const std::string_view word = version_word(words, name.size());
+  const std::string_view version = word.substr(begins_with(word, "v") ? 1 : 0);
+  if (const auto odd = odd_word(words, name)) {
+    diagnostics.report(DiagnosticId::header_odd, span_of(*odd),
+                       fmt::format("this header is not quite `{} V{} utf8`, but is read as that", name,
+                                   !version.empty() ? shown(version)
+                                   : vrml           ? "2.0"
+                                                    : "3.0"));
+  }
+  return reader.read(version, span_of(word));
 }
 
 }  // namespace plugc

@@ -9,7 +9,7 @@ namespace plugc {
 namespace {
 
 std::string_view unreadable_because(std::string_view text) {
-  if (text.starts_with("#VRML V1")) return "this is VRML 1.0; plugc reads X3D and VRML 2.0";
+  if (is_vrml1_header(text)) return "this is VRML 1.0; plugc reads X3D and VRML 2.0";
   if (text.starts_with("\x1F\x8B")) return "this file is compressed; unpack it with `gunzip` first";
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "this text is in UTF-16; save it as UTF-8";
   if (text.empty()) return "this file is empty";
@@ -21,9 +21,7 @@ std::string_view unreadable_because(std::string_view text) {
 Document read_document(SourceId source, const SourceSet& sources, Diagnostics& diagnostics) {
   std::string_view text = sources.text(source);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  if (text.starts_with("#X3D") || (text.starts_with("#VRML") && !text.starts_with("#VRML V1"))) {
-    return read_classic(source, sources, diagnostics);
-  }
+  if (is_classic_header(text) && !is_vrml1_header(text)) return read_classic(source, sources, diagnostics);
   const std::string_view content = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (content.starts_with('<')) return read_xml(source, sources, diagnostics);
   if (content.starts_with('{')) return read_json(source, sources, diagnostics);

@@ -11,6 +11,10 @@ namespace plugc {
 /// Source: ISO/IEC 19776-1 (XML), 19776-2 (classic), 19776-5 (JSON), 14772-1 (VRML 2.0).
 Document read_document(SourceId source, const SourceSet& sources, Diagnostics& diagnostics);
 
+/// Whether a text begins as classic X3D or VRML of any version does, in letters of either case; as VRML 1 does.
+bool is_classic_header(std::string_view text);
+bool is_vrml1_header(std::string_view text);
+
 /// Classic X3D (`#X3D V3.2 utf8`) and VRML 2.0; they differ in the words for access types only.
 Document read_classic(SourceId source, const SourceSet& sources, Diagnostics& diagnostics);
 

@@ -381,6 +381,7 @@ NodeSyntax JsonReader::read_node(const Name& type) {
   const OpenBody body = build_.open_body();
   const std::size_t connections = connections_.open();
   const bool is_instance = type.text == "ProtoInstance";
+  extras.is_instance = is_instance;
   if (is_instance) node.type = {};
   Name key;
   JsonBracket object;

@@ -398,6 +398,7 @@ void XmlReader::read_instance(const pugi::xml_node& element, NodeSyntax& node, N
   extras.def = optional_name(element, "DEF");
   extras.use = optional_name(element, "USE");
   extras.container_field = optional_name(element, "containerField");
+  extras.is_instance = true;
   if (extras.use.empty()) node.type = required_name(element, "name");
 }
 
@@ -440,7 +441,7 @@ void XmlReader::read_field_value(const pugi::xml_node& element) {
   if (const auto value = element.attribute("value")) field.value = lexical_value(value);
   read_value_children(element, field.value);
   if (field.value.kind == ValueKind::none) {
-    build_.mistake(tag_span(element), "`<fieldValue>` needs the attribute `value` or nodes inside");
+    return build_.mistake(tag_span(element), "`<fieldValue>` needs the attribute `value` or nodes inside");
   }
   if (!field.name.empty()) build_.add_field(field, field.name.span);
 }

@@ -70,6 +70,7 @@ std::optional<Mesh> checked(std::optional<Mesh> mesh, const GeometrySource& sour
 }  // namespace
 
 std::optional<Mesh> make_mesh(const NodeGraph& graph, NodeId geometry, Diagnostics& diagnostics) {
+  if (!graph.is(geometry, "X3DGeometryNode")) return std::nullopt;  // reported as misplaced
   const GeometrySource source{graph, geometry, diagnostics};
   const auto* maker = std::ranges::find(kMakers, source.type(), &Maker::type);
   if (maker == std::end(kMakers)) {

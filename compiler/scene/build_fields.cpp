@@ -1,6 +1,8 @@
 // What stands inside a node: fields, and interface declarations with their values. Numbers and strings are read at once;
 // nodes become jobs that fill a list; IS takes what the prototype's instance was given.
 
+#include <unordered_set>
+
 #include <fmt/format.h>
 
 #include "scene/event_names.h"
@@ -50,12 +52,12 @@ void GraphBuilder::build_field(const Job& job, NodeId id, const FieldSyntax& fie
     to.by_container = true;
     return push_nodes(job, field.value, to, *job.scope);
   }
-  const bool is = field.value.kind == ValueKind::is;
-  const Encoding encoding = document(*job.scope).encoding;
-  const auto find = [&](std::string_view name) { return find_field_as_written(node, name, encoding); };
-  const FieldInfo* info = is ? find_event(field.name.text, EventUse::any, find) : find(field.name.text);
-  if (info == nullptr) return report_unknown_field(node, field.name);
-  if (is) return connect_field(job, id, *info, field);
+  const FieldInfo* info = find_field(*job.scope, node, field);
+  if (info == nullptr) {
+    report_unknown_field(node, field.name);
+    return lose_nodes(*job.scope, field.value);
+  }
+  if (field.value.kind == ValueKind::is) return connect_field(job, id, *info, field);
   if (!holds_value(info->access)) {
     return report(DiagnosticId::field_unknown, field.name.span,
                   fmt::format("`{}` of `{}` is an event and takes no value", info->name, node.name));
@@ -63,8 +65,28 @@ void GraphBuilder::build_field(const Job& job, NodeId id, const FieldSyntax& fie
   if (is_node(info->type)) return build_node_field(job, id, *info, field);
   FieldValue value;
   const ValueContract contract{info->type, info->minimum, info->maximum, info->name, node.name};
-  if (!read_plain(*job.scope, field.value, contract, value)) return;
+  if (!read_plain(*job.scope, field.value, contract, value)) return lose_nodes(*job.scope, field.value);
   graph_.nodes_[id.value].fields[write_field(id, *info, field.name.span)].value = value;
+}
+
+/// The field of that name. Names of VRML 2.0 that X3D changed are understood everywhere.
+const FieldInfo* GraphBuilder::find_field(const Scope& scope, const NodeInfo& node, const FieldSyntax& field) {
+  const Name& name = field.name;
+  const bool is = field.value.kind == ValueKind::is;
+  const auto find_in = [&](Encoding encoding) {
+    const auto find = [&](std::string_view one) { return find_field_as_written(node, one, encoding); };
+    return is ? find_event(name.text, EventUse::any, find) : find(name.text);
+  };
+  if (const FieldInfo* found = find_in(document(scope).encoding)) return found;
+  const FieldInfo* renamed = find_in(Encoding::vrml2);
+  if (renamed != nullptr) report_renamed(node, name, *renamed);
+  return renamed;
+}
+
+void GraphBuilder::report_renamed(const NodeInfo& node, const Name& name, const FieldInfo& field) {
+  report(
+      DiagnosticId::field_unknown, name.span,
+      fmt::format("`{}` is the name of VRML 2.0; the field of `{}` is called `{}` in X3D", name.text, node.name, field.name));
 }
 
 void GraphBuilder::build_node_field(const Job& job, NodeId id, const FieldInfo& info, const FieldSyntax& field) {
@@ -92,10 +114,12 @@ void GraphBuilder::build_interface(const Job& job, NodeId id) {
     return report(DiagnosticId::field_unknown, declared[0].name.span,
                   fmt::format("`{}` declares no fields of its own, such as `{}`", info.name, declared[0].name.text));
   }
+  std::unordered_set<std::string_view> names;
   for (const InterfaceSyntax& one : declared) {
+    if (!declare_once(names, one)) continue;
     const FieldType type = field_type(one.type.text);
     if (type == FieldType::unknown) {
-      report(DiagnosticId::field_type, one.type.span, fmt::format("no field type is called `{}`", one.type.text));
+      report_unknown_type(one.type);
       continue;
     }
     std::vector<InterfaceField>& fields = graph_.nodes_[id.value].interface;
@@ -135,7 +159,8 @@ void GraphBuilder::build_interface_value(const Job& job, NodeId id, std::size_t 
 }
 
 void GraphBuilder::connect_field(const Job& job, NodeId id, const FieldInfo& info, const FieldSyntax& field) {
-  const ProtoField* source = follow_is(*job.scope, field.value, info.type, {id, nullptr, info.name});
+  const ProtoField* source =
+      follow_is(*job.scope, field.value, info.type, as_access_type(info.access), {id, nullptr, info.name});
   if (source == nullptr || !source->has_value || !holds_value(info.access)) return;
   NodeList* shared = is_node(info.type) ? share(job, id, &info, *source) : nullptr;
   if (is_node(info.type) && shared == nullptr) return;
@@ -148,7 +173,7 @@ void GraphBuilder::connect_field(const Job& job, NodeId id, const FieldInfo& inf
 
 void GraphBuilder::connect_interface(const Job& job, NodeId id, std::size_t index, const InterfaceSyntax& declared) {
   const FieldType type = graph_.nodes_[id.value].interface[index].type;
-  const ProtoField* source = follow_is(*job.scope, declared.value, type, {id, nullptr, declared.name.text});
+  const ProtoField* source = follow_is(*job.scope, declared.value, type, declared.access, {id, nullptr, declared.name.text});
   if (source == nullptr || !source->has_value) return;
   NodeList* shared = is_node(type) ? share(job, id, nullptr, *source) : nullptr;
   if (is_node(type) && shared == nullptr) return;
@@ -166,6 +191,19 @@ bool GraphBuilder::read_plain(const Scope& scope, const ValueSyntax& syntax, con
   if (is_new && read_value(syntax, document(scope), contract, store, diagnostics_, value)) entry->second = value;
   if (entry->second) value = *entry->second;
   return entry->second.has_value();
+}
+
+/// Nodes in a field that cannot take them are passed over.
+void GraphBuilder::lose_nodes(Scope& scope, const ValueSyntax& value) {
+  if (value.kind != ValueKind::nodes) return;
+  for (const NodeSyntax& node : document(scope).of(value.nodes())) lose(scope, node);
+}
+
+bool GraphBuilder::declare_once(std::unordered_set<std::string_view>& names, const InterfaceSyntax& declared) {
+  if (names.insert(declared.name.text).second) return true;
+  report(DiagnosticId::name_repeated, declared.name.span,
+         fmt::format("a field `{}` is declared already; this one is passed over", declared.name.text));
+  return false;
 }
 
 bool GraphBuilder::holds_nodes(const ValueSyntax& value, const ValueContract& contract) {

@@ -18,11 +18,18 @@ namespace {
 
 /// Nodes, fields, links and routes together: what expanding may cost when prototypes multiply anything but nodes.
 constexpr std::size_t kMaxWork = std::size_t{6} * kMaxSceneNodes;
-constexpr std::size_t kMaxSuggestions = 200;
 
 std::vector<std::string_view> node_names() {
   std::vector<std::string_view> names;
   for (const NodeInfo& info : node_table()) names.push_back(info.name);
+  return names;
+}
+
+std::vector<std::string_view> field_type_names() {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(FieldType::unknown); ++i) {
+    names.push_back(to_text(static_cast<FieldType>(i)));
+  }
   return names;
 }
 
@@ -33,6 +40,7 @@ NodeGraph GraphBuilder::build(Document document, const std::filesystem::path& pa
   loaded_[path.lexically_normal().string()] = 0;
   build_roots(add_document(std::move(document), path), roots);
   if (appended) build_roots(add_document(std::move(*appended), path), roots);
+  for (const PendingExport& one : pending_exports_) check_export(one);
   for (const PendingRoute& route : pending_routes_) resolve_route(route);
   finish_graph(roots);
   return std::move(graph_);
@@ -103,8 +111,8 @@ void GraphBuilder::run_statement(const Job& job) {
     case StatementKind::route: note_route(*job.scope, text.routes[index]); break;
     case StatementKind::proto: declare_prototype(*job.scope, index, false); break;
     case StatementKind::externproto: declare_prototype(*job.scope, index, true); break;
-    case StatementKind::import:
-    case StatementKind::export_: export_or_import(*job.scope, text.imports[index]); break;
+    case StatementKind::import: import(*job.scope, text.imports[index]); break;
+    case StatementKind::export_: note_export(*job.scope, text.imports[index]); break;
   }
 }
 
@@ -113,18 +121,44 @@ void GraphBuilder::build_node(const Job& written) {
   if (job.stands_for == nullptr) job.to.written = job.node;
   const Name& type = job.node->type;
   if (!job.node->extras->use.empty()) return place_use(job);
-  if (Prototype* prototype = find_prototype(*job.scope, type.text)) return instantiate(job, *prototype);
-  if (const NodeInfo* info = find_node_info(type.text)) return create_node(job, *info);
-  if (!is_reported(DiagnosticId::node_unknown, type.span)) {
-    static const std::vector<std::string_view> names = node_names();
-    report(DiagnosticId::node_unknown, type.span, fmt::format("unknown node `{}`{}", type.text, suggest(type.text, names)));
+  const Encoding encoding = document(*job.scope).encoding;
+  const bool names_node = (encoding == Encoding::xml || encoding == Encoding::json) && !job.node->extras->is_instance;
+  const NodeInfo* info = job.node->extras->is_instance ? nullptr : find_node_info(type.text);
+  if (names_node && info != nullptr) return create_node(job, *info);
+  if (Prototype* prototype = find_prototype(*job.scope, type.text)) {
+    if (names_node) report_element_of_a_prototype(type);
+    return instantiate(job, *prototype);
   }
+  if (info != nullptr) return create_node(job, *info);
+  report_unknown_node(job);
+  lose(*job.scope, *job.node);
+}
+
+/// XML and JSON have one element for the instances of all prototypes.
+void GraphBuilder::report_element_of_a_prototype(const Name& type) {
+  report(DiagnosticId::node_unknown, type.span,
+         fmt::format("`{}` is a prototype; its instance is a `ProtoInstance` with this `name`", type.text));
+}
+
+void GraphBuilder::report_unknown_node(const Job& job) {
+  const Name& type = job.node->type;
+  if (is_reported(DiagnosticId::node_unknown, type.span)) return;
+  std::vector<std::string_view> names;
+  if (!job.node->extras->is_instance) names = node_names();
+  for (const Scope* at = job.scope; at != nullptr; at = at->declared_in) {
+    for (const auto& [name, declared] : at->prototypes) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  const std::string what = job.node->extras->is_instance ? fmt::format("no prototype `{}` is declared before this instance", type.text)
+                                                 : fmt::format("unknown node `{}`", type.text);
+  report(DiagnosticId::node_unknown, type.span, what + suggest(type.text, names));
 }
 
 void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
   const NodeSyntax& syntax = *job.node;
   if (!spend(1 + syntax.fields.count + syntax.extras->interface.count, syntax.type.span)) return;
   if (job.depth > kMaxSceneDepth) {
+    lose(*job.scope, syntax);
     return report(DiagnosticId::nesting_limit, syntax.type.span,
                   fmt::format("more than {} nodes inside one another", kMaxSceneDepth));
   }
@@ -133,6 +167,9 @@ void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
   heights_.push_back(0);
   node.info = &info;
   node.def = syntax.extras->def.text;
+  for (const Instance* instance = job.stands_for; instance != nullptr; instance = instance->stands_for) {
+    if (!instance->def.empty()) node.def = instance->def;  // the name by which the outermost scope knows the node
+  }
   node.span = syntax.span;
   node.type_span = syntax.type.span;
   node.document = job.scope->document;
@@ -176,8 +213,46 @@ void GraphBuilder::finish_graph(const NodeList& roots) {
 Definition* GraphBuilder::define(Scope& scope, const Name& name) {
   if (name.empty()) return nullptr;
   Definition& definition = definitions_.emplace_back();
-  scope.definitions[name.text] = &definition;
-  return &definition;
+  Definition*& known = scope.definitions[name.text];
+  const bool may_repeat = document(scope).encoding == Encoding::vrml2;  // ISO/IEC 14772-1, 4.6.2
+  if (known != nullptr && !may_repeat) {
+    report(DiagnosticId::name_repeated, name.span,
+           fmt::format("`DEF {}` stands here for the second time; a `USE` means the nearest one before it", name.text));
+  }
+  known = &definition;
+  return known;
+}
+
+/// Of a node that is passed over the names are remembered, its own and those inside, so that no USE or ROUTE of them is told
+/// as a further mistake.
+void GraphBuilder::lose(Scope& scope, const NodeSyntax& node) {
+  const Document& text = document(scope);
+  std::vector<const NodeSyntax*> passed{&node};
+  const auto pass_over = [&](const ValueSyntax& value) {
+    if (value.kind != ValueKind::nodes) return;
+    for (const NodeSyntax& inner : text.of(value.nodes())) passed.push_back(&inner);
+  };
+  while (!passed.empty()) {
+    const NodeSyntax& one = *passed.back();
+    passed.pop_back();
+    if (!spend(1, one.span)) return;
+    if (!one.extras->def.empty()) lose_name(scope, one.extras->def.text);
+    for (const FieldSyntax& field : text.of(one.fields)) pass_over(field.value);
+    for (const InterfaceSyntax& field : text.of(one.extras->interface)) pass_over(field.value);
+  }
+}
+
+void GraphBuilder::lose_name(Scope& scope, std::string_view name) {
+  Definition& definition = definitions_.emplace_back();
+  definition.lost = true;
+  scope.definitions[name] = &definition;
+}
+
+void GraphBuilder::report_unknown_type(const Name& type) {
+  static const std::vector<std::string_view> names = field_type_names();
+  if (is_reported(DiagnosticId::field_type, type.span)) return;
+  report(DiagnosticId::field_type, type.span,
+         fmt::format("no field type is called `{}`{}", type.text, suggest(type.text, names)));
 }
 
 bool GraphBuilder::spend(std::size_t work, const Span& span) {

@@ -22,16 +22,29 @@ constexpr std::array<Renamed, 3> kRenamed = {{
 }  // namespace
 
 bool holds_value(FieldAccess access) {
-  return access == FieldAccess::initialize_only || access == FieldAccess::input_output;
+  return holds_value(as_access_type(access));
+}
+
+bool holds_value(AccessType access) {
+  return access == AccessType::initialize_only || access == AccessType::input_output;
+}
+
+AccessType as_access_type(FieldAccess access) {
+  switch (access) {
+    case FieldAccess::initialize_only: return AccessType::initialize_only;
+    case FieldAccess::input_only: return AccessType::input_only;
+    case FieldAccess::output_only: return AccessType::output_only;
+    case FieldAccess::input_output: break;
+  }
+  return AccessType::input_output;
+}
+
+bool may_join(AccessType inner, AccessType outer) {
+  return inner == AccessType::input_output || inner == outer;
 }
 
 bool allows(FieldAccess access, EventUse use) {
-  switch (use) {
-    case EventUse::any: return true;
-    case EventUse::receive: return access == FieldAccess::input_only || access == FieldAccess::input_output;
-    case EventUse::send: return access == FieldAccess::output_only || access == FieldAccess::input_output;
-  }
-  return false;
+  return allows(as_access_type(access), use);
 }
 
 bool allows(AccessType access, EventUse use) {

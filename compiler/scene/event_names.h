@@ -12,6 +12,10 @@ namespace plugc {
 enum class EventUse : std::uint8_t { any, receive, send };
 
 bool holds_value(FieldAccess access);
+bool holds_value(AccessType access);
+AccessType as_access_type(FieldAccess access);
+/// Whether IS may join a field of a body to a field of the prototype around it (X3D 4.1 part 1, 4.4.4.2).
+bool may_join(AccessType inner, AccessType outer);
 bool allows(FieldAccess access, EventUse use);
 bool allows(AccessType access, EventUse use);
 

@@ -4,10 +4,13 @@
 // body finds the values ready, and leaves a link behind, along which routes are followed later.
 
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "document/read_document.h"
 #include "scene/event_names.h"
 #include "scene/graph_builder.h"
 
@@ -39,7 +42,14 @@ void GraphBuilder::declare_prototype(Scope& scope, std::uint32_t index, bool ext
   prototype.scope = &scope;
   prototype.order = scope.prototype_count++;
   prototype.external = external;
-  scope.prototypes[prototype.syntax->name.text].push_back(&prototype);
+  const Name& name = prototype.syntax->name;
+  std::vector<Prototype*>& declared = scope.prototypes[name.text];
+  if (!declared.empty()) {
+    report(DiagnosticId::name_repeated, name.span,
+           fmt::format("prototype `{}` is declared here for the second time; an instance means the last one before it",
+                       name.text));
+  }
+  declared.push_back(&prototype);
 }
 
 /// A body sees the prototypes declared before its own in the scopes around it, the nearest first.
@@ -67,25 +77,26 @@ void GraphBuilder::expand_unused(Scope& scope) {
     job.node = &kNothingGiven;
     job.scope = &scope;
     job.to.written = &kNothingGiven;
-    expand(job, prototype);
+    expand(job, prototype, nullptr);
     run_jobs();
   }
 }
 
 void GraphBuilder::instantiate(const Job& job, Prototype& prototype) {
-  if (!prototype.external) return expand(job, prototype);
+  if (!prototype.external) return expand(job, prototype, nullptr);
   Prototype* target = resolve_external(prototype);
-  if (target == nullptr) return;
+  if (target == nullptr) return lose(*job.scope, *job.node);
   if (target->built_in != nullptr) return create_node(job, *target->built_in);
-  expand(job, *target);
+  expand(job, *target, &prototype);
 }
 
-void GraphBuilder::expand(const Job& job, Prototype& prototype) {
+/// `external` is the declaration that led here from another file, if any.
+void GraphBuilder::expand(const Job& job, Prototype& prototype, const Prototype* external) {
   const NodeSyntax& syntax = *job.node;
   if (!spend(kInstanceWork + syntax.fields.count + prototype.syntax->interface.count, syntax.type.span)) return;
   prototype.used = true;
-  if (!may_expand(job, prototype)) return;
-  Instance& instance = new_instance(job, prototype);
+  if (!may_expand(job, prototype)) return lose(*job.scope, syntax);
+  Instance& instance = new_instance(job, prototype, external);
   Job finish = job;
   finish.kind = JobKind::finish;
   finish.following = 0;
@@ -119,10 +130,12 @@ bool GraphBuilder::may_expand(const Job& job, const Prototype& prototype) {
   return false;
 }
 
-Instance& GraphBuilder::new_instance(const Job& job, const Prototype& prototype) {
+Instance& GraphBuilder::new_instance(const Job& job, const Prototype& prototype, const Prototype* external) {
   Instance& instance = instances_.emplace_back();
   instance.prototype = &prototype;
+  instance.external = external;
   instance.stands_for = job.stands_for;
+  instance.def = job.node->extras->def.text;
   instance.definition = define(*job.scope, job.node->extras->def);
   if (instance.definition != nullptr) instance.definition->instance = &instance;
   Scope& body = scopes_.emplace_back();
@@ -140,37 +153,73 @@ Instance& GraphBuilder::new_instance(const Job& job, const Prototype& prototype)
 }
 
 void GraphBuilder::declare_fields(Instance& instance) {
+  std::unordered_set<std::string_view> names;
   for (const InterfaceSyntax& declared : document(*instance.body).of(instance.prototype->syntax->interface)) {
+    if (!declare_once(names, declared)) continue;
     ProtoField& field = instance.fields.emplace_back();
     field.declared = &declared;
     field.type = field_type(declared.type.text);
     if (field.type != FieldType::unknown) continue;
-    report(DiagnosticId::field_type, declared.type.span, fmt::format("no field type is called `{}`", declared.type.text));
+    report_unknown_type(declared.type);
   }
+}
+
+bool GraphBuilder::declares(const Prototype& prototype, std::string_view field) const {
+  const auto declared = graph_.documents_[prototype.document].of(prototype.syntax->interface);
+  return std::any_of(declared.begin(), declared.end(), [&](const InterfaceSyntax& one) { return one.name.text == field; });
 }
 
 void GraphBuilder::set_field(const Job& job, Instance& instance, const FieldSyntax& written) {
   const Name& name = written.name;
-  const std::string_view prototype = instance.prototype->syntax->name.text;
-  ProtoField* field =
-      name.empty() ? container_of(instance, written, document(*job.scope)) : find_proto_field(instance, name.text);
-  if (field == nullptr) {
-    const Span span = name.empty() ? written.value.span : name.span;
-    if (is_reported(DiagnosticId::field_unknown, span)) return;
-    return report(DiagnosticId::field_unknown, span,
-                  name.empty() ? fmt::format("prototype `{}` has no field for this node", prototype)
-                               : fmt::format("prototype `{}` has no field `{}`{}", prototype, name.text,
-                                             suggest(name.text, field_names(instance))));
+  ProtoField* field = find_given(job, instance, written);
+  if (field == nullptr) return lose_nodes(*job.scope, written.value);
+  if (!name.empty() && std::exchange(field->is_given, true)) {
+    report(DiagnosticId::field_repeated, name.span,
+           fmt::format("`{}` of `{}` is given twice; the last value counts", name.text, instance.prototype->syntax->name.text));
   }
-  if (field->type == FieldType::unknown) return;
   if (!name.empty()) field->nodes = nullptr;  // of a field given twice the last value counts; XML children add up
   if (written.value.kind != ValueKind::is) return give_value(job, instance, *field, written.value, *job.scope);
-  const ProtoField* source = follow_is(*job.scope, written.value, field->type, {{}, &instance, field->declared->name.text});
+  const ProtoField* source =
+      follow_is(*job.scope, written.value, field->type, field->declared->access, {{}, &instance, field->declared->name.text});
   if (source == nullptr || !source->has_value) return;
   field->has_value = true;
   field->value = source->value;
   field->value_document = source->value_document;
   field->nodes = source->nodes;
+}
+
+/// The field of the interface that an instance gives something; null when it has none that could take it.
+ProtoField* GraphBuilder::find_given(const Job& job, Instance& instance, const FieldSyntax& written) {
+  const Name& name = written.name;
+  const std::string_view prototype = instance.prototype->syntax->name.text;
+  const Span span = name.empty() ? written.value.span : name.span;
+  const bool is = written.value.kind == ValueKind::is;
+  const auto find = [&](std::string_view wanted) { return find_proto_field(instance, wanted); };
+  ProtoField* field = nullptr;
+  if (name.empty()) {
+    field = container_of(instance, written, document(*job.scope));
+  } else {
+    field = is ? find_event(name.text, EventUse::any, find) : find(name.text);
+  }
+  if (is_reported(DiagnosticId::field_unknown, span)) return field;
+  if (field == nullptr) {
+    report(DiagnosticId::field_unknown, span,
+           name.empty() ? fmt::format("prototype `{}` has no field for this node", prototype)
+                        : fmt::format("prototype `{}` has no field `{}`{}", prototype, name.text,
+                                      suggest(name.text, field_names(instance))));
+    return nullptr;
+  }
+  if (!is && !holds_value(field->declared->access)) {
+    report(DiagnosticId::field_unknown, span,
+           fmt::format("`{}` of `{}` is an event and takes no value", field->declared->name.text, prototype));
+    return nullptr;
+  }
+  if (instance.external != nullptr && !declares(*instance.external, field->declared->name.text)) {
+    report(DiagnosticId::field_unknown, span,
+           fmt::format("the external prototype `{}` does not declare `{}`; its file does, so the value is taken",
+                       instance.external->syntax->name.text, field->declared->name.text));
+  }
+  return field->type == FieldType::unknown ? nullptr : field;
 }
 
 void GraphBuilder::give_value(const Job& job, Instance& instance, ProtoField& field, const ValueSyntax& value, Scope& scope) {
@@ -205,7 +254,8 @@ ProtoField* GraphBuilder::container_of(Instance& instance, const FieldSyntax& ch
 }
 
 /// The interface field that `IS name` means in a body, with a link from it to what it feeds.
-ProtoField* GraphBuilder::follow_is(const Scope& scope, const ValueSyntax& is, FieldType type, const Link& link) {
+ProtoField* GraphBuilder::follow_is(const Scope& scope, const ValueSyntax& is, FieldType type, AccessType access,
+                                    const Link& link) {
   const std::span<const MappedText> text = document(scope).of(is.strings());
   const std::string_view name = text.empty() ? std::string_view() : text[0].text();
   if (scope.instance == nullptr) {
@@ -227,6 +277,11 @@ ProtoField* GraphBuilder::follow_is(const Scope& scope, const ValueSyntax& is, F
            fmt::format("`{}` is of type {}, but the prototype's `{}` is of type {}", link.field, to_text(type), name,
                        to_text(field->type)));
     return nullptr;
+  }
+  if (!may_join(access, field->declared->access)) {
+    report(DiagnosticId::access_type, is.span,
+           fmt::format("`{}` is {}, but the prototype's `{}` is {}", link.field, to_text(access), name,
+                       to_text(field->declared->access)));
   }
   field->links.push_back(link);
   return field;

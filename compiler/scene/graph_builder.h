@@ -9,7 +9,9 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -21,6 +23,9 @@ namespace plugc {
 
 using NodeList = std::vector<NodeId>;
 
+/// Looking for a near name costs more than all else about a mistake, so only the first mistakes get one.
+constexpr std::size_t kMaxSuggestions = 200;
+
 struct Scope;
 struct Instance;
 
@@ -30,6 +35,7 @@ struct Definition {
   Instance* instance = nullptr;  // when the name was given to a prototype's instance
   Scope* inlined = nullptr;      // when it was given to an Inline: what that holds
   bool open = true;              // the node is not finished: USE now would be a cycle
+  bool lost = false;             // what it names was passed over, which was reported: no more is said of it
 };
 
 /// A PROTO or EXTERNPROTO statement met in a scope.
@@ -59,7 +65,7 @@ struct Scope {
   std::unordered_map<std::string_view, std::vector<Prototype*>> prototypes;
   std::unordered_map<std::string_view, std::string_view> exports;  // alias to DEF name
   std::uint32_t prototype_count = 0;
-  Prototype* first_prototype = nullptr;  // a library: what a url without `#name` means
+  Prototype* first_prototype = nullptr;  // a library: its first PROTO, which a url without `#name` means
 };
 
 /// Where an IS leads: a field of a node, or of an instance inside the body.
@@ -73,6 +79,7 @@ struct Link {
 struct ProtoField {
   const InterfaceSyntax* declared = nullptr;
   FieldType type = FieldType::unknown;
+  bool is_given = false;  // by the instance
   bool has_value = false;
   FieldValue value;                  // numbers and strings
   std::uint32_t value_document = 0;  // the file that wrote the value, which its urls are relative to
@@ -82,7 +89,9 @@ struct ProtoField {
 
 struct Instance {
   const Prototype* prototype = nullptr;
-  Instance* stands_for = nullptr;  // the instance whose first node this one is
+  const Prototype* external = nullptr;  // the declaration that led to it from another file
+  Instance* stands_for = nullptr;       // the instance whose first node this one is
+  std::string_view def;
   Definition* definition = nullptr;
   NodeId first;
   Scope* body = nullptr;
@@ -118,6 +127,12 @@ struct Job {
   std::uint32_t depth = 0;
 };
 
+/// An EXPORT, which may stand before what it exports.
+struct PendingExport {
+  const ImportSyntax* syntax = nullptr;
+  const Scope* scope = nullptr;
+};
+
 struct PendingRoute {
   const RouteSyntax* syntax = nullptr;
   Scope* scope = nullptr;
@@ -150,6 +165,12 @@ class GraphBuilder {
   void finish_node(const Job& job);
   void finish_graph(const NodeList& roots);
   Definition* define(Scope& scope, const Name& name);
+  void lose(Scope& scope, const NodeSyntax& node);
+  void lose_nodes(Scope& scope, const ValueSyntax& value);
+  void lose_name(Scope& scope, std::string_view name);
+  void report_unknown_node(const Job& job);
+  void report_element_of_a_prototype(const Name& type);
+  void report_unknown_type(const Name& type);
   bool spend(std::size_t work, const Span& span);
   const Document& document(const Scope& scope) const { return graph_.documents_[scope.document]; }
 
@@ -158,8 +179,10 @@ class GraphBuilder {
   void build_field(const Job& job, NodeId id, const FieldSyntax& field);
   void build_node_field(const Job& job, NodeId id, const FieldInfo& info, const FieldSyntax& field);
   void build_interface(const Job& job, NodeId id);
+  bool declare_once(std::unordered_set<std::string_view>& names, const InterfaceSyntax& declared);
   void build_interface_value(const Job& job, NodeId id, std::size_t index, const InterfaceSyntax& declared);
   void connect_field(const Job& job, NodeId id, const FieldInfo& info, const FieldSyntax& field);
+  const FieldInfo* find_field(const Scope& scope, const NodeInfo& node, const FieldSyntax& field);
   void connect_interface(const Job& job, NodeId id, std::size_t index, const InterfaceSyntax& declared);
   bool read_plain(const Scope& scope, const ValueSyntax& syntax, const ValueContract& contract, FieldValue& value);
   bool holds_nodes(const ValueSyntax& value, const ValueContract& contract);
@@ -167,6 +190,7 @@ class GraphBuilder {
   std::size_t write_field(NodeId id, const FieldInfo& info, const Span& name_span);
   NodeList* new_list(NodeId id, std::size_t index, bool interface);
   void report_unknown_field(const NodeInfo& info, const Name& name);
+  void report_renamed(const NodeInfo& node, const Name& name, const FieldInfo& field);
 
   // place_nodes.cpp: where a node goes
   void place(const Job& job, NodeId id);
@@ -182,14 +206,16 @@ class GraphBuilder {
   Prototype* find_prototype(const Scope& scope, std::string_view name) const;
   void expand_unused(Scope& scope);
   void instantiate(const Job& job, Prototype& prototype);
-  void expand(const Job& job, Prototype& prototype);
+  void expand(const Job& job, Prototype& prototype, const Prototype* external);
   bool may_expand(const Job& job, const Prototype& prototype);
-  Instance& new_instance(const Job& job, const Prototype& prototype);
+  Instance& new_instance(const Job& job, const Prototype& prototype, const Prototype* external);
   void declare_fields(Instance& instance);
+  bool declares(const Prototype& prototype, std::string_view field) const;
+  ProtoField* find_given(const Job& job, Instance& instance, const FieldSyntax& written);
   void set_field(const Job& job, Instance& instance, const FieldSyntax& written);
   void give_value(const Job& job, Instance& instance, ProtoField& field, const ValueSyntax& value, Scope& scope);
   ProtoField* container_of(Instance& instance, const FieldSyntax& child, const Document& document);
-  ProtoField* follow_is(const Scope& scope, const ValueSyntax& is, FieldType type, const Link& link);
+  ProtoField* follow_is(const Scope& scope, const ValueSyntax& is, FieldType type, AccessType access, const Link& link);
   void run_body(const Job& job);
 
   // load_documents.cpp
@@ -198,9 +224,14 @@ class GraphBuilder {
   std::optional<std::uint32_t> load_first(const FieldValue& urls, const std::filesystem::path& base);
   void run_inlined(const Job& job);
   bool may_inline(const Job& job, std::uint32_t document, const Span& span);
-  void export_or_import(Scope& scope, const ImportSyntax& statement);
+  void note_export(Scope& scope, const ImportSyntax& statement);
+  void check_export(const PendingExport& pending);
+  void import(Scope& scope, const ImportSyntax& statement);
+  Definition* find_import(Scope& scope, const ImportSyntax& statement);
   Prototype* resolve_external(Prototype& prototype);
   void look_up_external(Prototype& prototype);
+  Prototype* find_external(const Prototype& prototype, const MappedText& url, Diagnostics& failures);
+  void check_declaration(const Prototype& external, const Prototype& target);
   Scope& library(std::uint32_t document);
 
   // resolve_routes.cpp
@@ -215,6 +246,7 @@ class GraphBuilder {
   /// Once a place: a prototype's body is reported on once, however often it is expanded.
   void report(DiagnosticId id, const Span& span, const std::string& message);
   bool is_reported(DiagnosticId id, const Span& span) const;
+  std::string unknown_name_hint(const Scope& scope, const Name& name);
   std::string suggest(std::string_view name, std::span<const std::string_view> candidates);
 
   SourceSet& sources_;
@@ -227,7 +259,9 @@ class GraphBuilder {
   std::deque<Definition> definitions_;
   std::deque<Prototype> prototypes_;
   std::vector<PendingRoute> pending_routes_;
-  std::vector<std::uint32_t> heights_;  // of each node: the longest path below it
+  std::vector<PendingExport> pending_exports_;
+  std::set<std::tuple<NodeId, NodeId, std::string_view, std::string_view>> joined_;  // by routes
+  std::vector<std::uint32_t> heights_;                                               // of each node: the longest path below it
 
   /// Fields that hold nodes, whose lists have their final place only at the end.
   struct ListUse {

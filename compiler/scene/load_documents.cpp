@@ -78,6 +78,9 @@ void GraphBuilder::run_inlined(const Job& job) {
   scope.proto_depth = job.scope->proto_depth;
   scope.repeats = true;
   if (job.definition != nullptr) job.definition->inlined = &scope;
+  for (Instance* instance = job.stands_for; instance != nullptr; instance = instance->stands_for) {
+    if (instance->definition != nullptr) instance->definition->inlined = &scope;
+  }
   const FieldInfo& children = *find_field_info(*graph_.nodes_[job.built.value].info, "children");
   const std::size_t index = write_field(job.built, children, urls.span);
   graph_.nodes_[job.built.value].fields[index].value.type = children.type;
@@ -101,64 +104,155 @@ bool GraphBuilder::may_inline(const Job& job, std::uint32_t included, const Span
   return false;
 }
 
-/// X3D 4.1 part 1, 4.4.6: IMPORT gives a name to a node that an inlined file EXPORTs.
-void GraphBuilder::export_or_import(Scope& scope, const ImportSyntax& statement) {
-  const std::string_view alias = statement.alias.empty() ? statement.name.text : statement.alias.text;
-  if (statement.inline_def.empty()) {
-    scope.exports[alias] = statement.name.text;
-    return;
-  }
-  const auto holder = scope.definitions.find(statement.inline_def.text);
+/// X3D 4.1 part 1, 4.4.6: an EXPORT may stand before what it exports, so it is checked at the end.
+void GraphBuilder::note_export(Scope& scope, const ImportSyntax& statement) {
+  if (!spend(1, statement.span)) return;
+  scope.exports[statement.alias.empty() ? statement.name.text : statement.alias.text] = statement.name.text;
+  pending_exports_.push_back({&statement, &scope});
+}
+
+void GraphBuilder::check_export(const PendingExport& pending) {
+  const Name& name = pending.syntax->name;
+  if (pending.scope->definitions.contains(name.text) || is_reported(DiagnosticId::import_invalid, name.span)) return;
+  report(DiagnosticId::import_invalid, name.span,
+         fmt::format("no node of this file is named `{}`{}", name.text, unknown_name_hint(*pending.scope, name)));
+}
+
+/// IMPORT gives a name to a node that an inlined file EXPORTs.
+void GraphBuilder::import(Scope& scope, const ImportSyntax& statement) {
+  if (!spend(1, statement.span)) return;
+  const Name& alias = statement.alias.empty() ? statement.name : statement.alias;
+  Definition* found = find_import(scope, statement);
+  if (found == nullptr) return lose_name(scope, alias.text);
+  scope.definitions[alias.text] = found;
+}
+
+/// What is imported, or null: the Inline is missing or is none (reported), its file was not loaded (reported where that is a
+/// mistake), or that exports no such name (reported).
+Definition* GraphBuilder::find_import(Scope& scope, const ImportSyntax& statement) {
+  const Name& holder_name = statement.inline_def;
+  const auto holder = scope.definitions.find(holder_name.text);
   if (holder == scope.definitions.end()) {
-    return report(DiagnosticId::use_unknown, statement.inline_def.span,
-                  fmt::format("no `DEF {}` stands before this `IMPORT`", statement.inline_def.text));
+    report(DiagnosticId::import_invalid, holder_name.span,
+           fmt::format("no `DEF {}` stands before this `IMPORT`{}", holder_name.text, unknown_name_hint(scope, holder_name)));
+    return nullptr;
   }
-  const Scope* inlined = holder->second->inlined;
-  if (inlined == nullptr) return;  // not loaded, which was reported
-  const auto exported = inlined->exports.find(statement.name.text);
-  const auto found =
-      exported == inlined->exports.end() ? inlined->definitions.end() : inlined->definitions.find(exported->second);
-  if (found == inlined->definitions.end()) {
-    return report(DiagnosticId::use_unknown, statement.name.span,
-                  fmt::format("the file that `{}` inlines exports no `{}`", statement.inline_def.text, statement.name.text));
+  const Definition& definition = *holder->second;
+  const Scope* inlined = definition.inlined;
+  if (inlined == nullptr) {
+    if (!definition.node.valid() || graph_.is(definition.node, "Inline")) return nullptr;
+    report(DiagnosticId::import_invalid, holder_name.span,
+           fmt::format("`{}` is a `{}`; names are imported from an `Inline`", holder_name.text,
+                       graph_.nodes_[definition.node.value].info->name));
+    return nullptr;
   }
-  scope.definitions[alias] = found->second;
+  const Name& name = statement.name;
+  const auto exported = inlined->exports.find(name.text);
+  if (exported == inlined->exports.end()) {
+    std::vector<std::string_view> names;
+    for (const auto& [alias, def] : inlined->exports) names.push_back(alias);
+    std::sort(names.begin(), names.end());
+    const bool is_there = inlined->definitions.contains(name.text);
+    const std::string hint = is_there ? fmt::format("; it needs an `EXPORT {}`", name.text) : suggest(name.text, names);
+    report(DiagnosticId::import_invalid, name.span,
+           fmt::format("the file that `{}` inlines exports no `{}`{}", holder_name.text, name.text, hint));
+    return nullptr;
+  }
+  const auto found = inlined->definitions.find(exported->second);
+  return found == inlined->definitions.end() ? nullptr : found->second;  // reported at the EXPORT
 }
 
 /// Follows external prototypes that name external prototypes. Null when the end is missing, which is reported.
 Prototype* GraphBuilder::resolve_external(Prototype& prototype) {
   Prototype* at = &prototype;
-  for (std::uint32_t i = 0; i < kMaxInlineDepth && at != nullptr; ++i) {
+  for (std::uint32_t i = 0; i < kMaxInlineDepth; ++i) {
     if (!at->external || at->built_in != nullptr) return at;
     if (!at->resolved) look_up_external(*at);
-    if (at->built_in == nullptr) at = at->target;
+    if (at->built_in != nullptr) return at;
+    if (at->target == nullptr) return nullptr;
+    at = at->target;
   }
   const Name& name = prototype.syntax->name;
   report(DiagnosticId::externproto_missing, name.span,
-         fmt::format("external prototype `{}` is found at none of its urls", name.text));
+         fmt::format("external prototype `{}` leads from file to file, more than {} times or in a circle", name.text,
+                     kMaxInlineDepth));
   return nullptr;
 }
 
+/// The first url that leads to a prototype counts; when there is none, what was wrong with each is reported. A node that
+/// other browsers know from a file is then the built-in one.
 void GraphBuilder::look_up_external(Prototype& prototype) {
   prototype.resolved = true;
-  const std::filesystem::path base = graph_.document_paths_[prototype.document];
-  const std::span<const MappedText> urls = graph_.documents_[prototype.document].of(prototype.syntax->urls);
+  const Name& name = prototype.syntax->name;
   Diagnostics failures(sources_);
+  const std::span<const MappedText> urls = graph_.documents_[prototype.document].of(prototype.syntax->urls);
   for (const MappedText& url : urls) {
-    const std::string_view text = url.text();
-    prototype.built_in = find_node_info(urn_node(text));
-    if (prototype.built_in != nullptr) return;
-    const std::size_t hash = text.find('#');
-    const auto loaded = load(text.substr(0, hash), base, place_of(url, prototype.syntax->span), failures);
-    if (!loaded) continue;
-    const Scope& names = library(*loaded);
-    const std::string_view wanted = hash == std::string_view::npos ? prototype.syntax->name.text : text.substr(hash + 1);
-    const auto found = names.prototypes.find(wanted);
-    prototype.target = found == names.prototypes.end() ? nullptr : found->second.back();
-    if (prototype.target == nullptr && hash == std::string_view::npos) prototype.target = names.first_prototype;
-    if (prototype.target != nullptr) return;
+    prototype.built_in = find_node_info(urn_node(url.text()));
+    if (prototype.built_in == nullptr) prototype.target = find_external(prototype, url, failures);
+    if (prototype.built_in != nullptr || prototype.target != nullptr) break;
   }
-  prototype.built_in = find_node_info(prototype.syntax->name.text);  // a node that other browsers know from a file
+  if (prototype.target != nullptr) return check_declaration(prototype, *prototype.target);
+  if (prototype.built_in == nullptr) prototype.built_in = find_node_info(name.text);
+  if (prototype.built_in != nullptr) return;
+  for (const Diagnostic& failure : failures.all()) report(failure.id, failure.span, failure.message);
+  if (urls.empty()) {
+    report(DiagnosticId::externproto_missing, name.span, fmt::format("external prototype `{}` names no url", name.text));
+  }
+}
+
+/// ISO/IEC 14772-1, 4.9.3: `#Name` names the prototype; without it the first PROTO of the file is meant.
+Prototype* GraphBuilder::find_external(const Prototype& prototype, const MappedText& url, Diagnostics& failures) {
+  const Span span = place_of(url, prototype.syntax->span);
+  const std::string_view text = url.text();
+  if (!urn_node(text).empty()) {
+    failures.report(DiagnosticId::externproto_missing, span, fmt::format("plugc knows no node called `{}`", text));
+    return nullptr;
+  }
+  const std::size_t hash = std::min(text.find('#'), text.size());
+  const auto loaded = load(text.substr(0, hash), graph_.document_paths_[prototype.document], span, failures);
+  if (!loaded) return nullptr;
+  const Scope& names = library(*loaded);
+  if (hash == text.size()) {
+    if (names.first_prototype == nullptr) {
+      failures.report(DiagnosticId::externproto_missing, span, fmt::format("`{}` declares no prototype", text));
+    }
+    return names.first_prototype;
+  }
+  const std::string_view wanted = text.substr(hash + 1);
+  if (const auto found = names.prototypes.find(wanted); found != names.prototypes.end()) return found->second.back();
+  std::vector<std::string_view> declared;
+  for (const auto& [name, prototypes] : names.prototypes) declared.push_back(name);
+  std::sort(declared.begin(), declared.end());
+  failures.report(DiagnosticId::externproto_missing, span,
+                  fmt::format("`{}` declares no prototype `{}`{}", text.substr(0, hash), wanted, suggest(wanted, declared)));
+  return nullptr;
+}
+
+/// X3D 4.1 part 1, 4.4.5.2: what an EXTERNPROTO declares is a part of what the prototype does.
+void GraphBuilder::check_declaration(const Prototype& external, const Prototype& target) {
+  const auto actual = graph_.documents_[target.document].of(target.syntax->interface);
+  std::vector<std::string_view> names;
+  for (const InterfaceSyntax& one : actual) names.push_back(one.name.text);
+  for (const InterfaceSyntax& promised : graph_.documents_[external.document].of(external.syntax->interface)) {
+    const Name& name = promised.name;
+    const auto found = std::find(names.begin(), names.end(), name.text);
+    if (found == names.end()) {
+      report(DiagnosticId::field_unknown, name.span,
+             fmt::format("the prototype `{}` that this declares has no field `{}`{}", target.syntax->name.text, name.text,
+                         suggest(name.text, names)));
+      continue;
+    }
+    const InterfaceSyntax& field = actual[static_cast<std::size_t>(found - names.begin())];
+    if (field.type.text != promised.type.text) {
+      report(DiagnosticId::field_type, promised.type.span,
+             fmt::format("`{}` is of type {} in the prototype `{}` that this declares", name.text, field.type.text,
+                         target.syntax->name.text));
+    } else if (field.access != promised.access) {
+      report(DiagnosticId::access_type, promised.span,
+             fmt::format("`{}` is {} in the prototype `{}` that this declares", name.text, to_text(field.access),
+                         target.syntax->name.text));
+    }
+  }
 }
 
 /// The prototypes of a file.
@@ -173,7 +267,7 @@ Scope& GraphBuilder::library(std::uint32_t index) {
     const bool external = statement.kind == StatementKind::externproto;
     if (!external && statement.kind != StatementKind::proto) continue;
     declare_prototype(*known, statement.index, external);
-    if (known->first_prototype == nullptr && !prototypes_.empty()) known->first_prototype = &prototypes_.back();
+    if (known->first_prototype == nullptr && !external) known->first_prototype = &prototypes_.back();
   }
   return *known;
 }

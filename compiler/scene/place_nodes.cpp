@@ -35,6 +35,14 @@ const FieldInfo* container_field_of(const NodeInfo& holder, const NodeInfo& node
   return takes(usual) ? usual : nullptr;
 }
 
+std::vector<std::string_view> node_field_names(const NodeInfo& node) {
+  std::vector<std::string_view> names;
+  for (const FieldInfo& field : node.fields) {
+    if (takes(&field)) names.push_back(field.name);
+  }
+  return names;
+}
+
 /// "X3DTextureNode", "A or B", "A, B or others".
 std::string accepted_types(const FieldInfo& field) {
   std::vector<std::string_view> types;
@@ -66,10 +74,20 @@ bool is_defined_outside(const Scope& scope, std::string_view name) {
   return false;
 }
 
-/// Why a USE finds nothing.
-std::string unknown_name_hint(const Scope& scope, std::string_view name, const std::string& suggestion) {
-  if (!suggestion.empty() || !is_defined_outside(scope, name)) return suggestion;
-  return "; names outside a prototype's body or an inlined file cannot be seen in it";
+bool contains(const Span& outer, const Span& inner) {
+  return outer.begin <= inner.begin && inner.end <= outer.end;
+}
+
+/// Whether the name is given behind this place, in no prototype's body or in the same one.
+bool is_defined_behind(const Document& text, const Name& name) {
+  const auto same_body = [&](const NodeSyntax& node) {
+    return std::all_of(text.protos.begin(), text.protos.end(), [&](const ProtoSyntax& proto) {
+      return contains(proto.span, name.span) == contains(proto.span, node.extras->def.span);
+    });
+  };
+  return std::any_of(text.nodes.begin(), text.nodes.end(), [&](const NodeSyntax& node) {
+    return node.extras->def.text == name.text && node.extras->def.span.begin > name.span.begin && same_body(node);
+  });
 }
 
 /// Whether a USE here names its node without containing it: as a reference, or for a Script's code.
@@ -101,11 +119,17 @@ bool GraphBuilder::choose_container(Destination& to, NodeId id) {
   const NodeInfo& holder = *graph_.nodes_[to.holder.value].info;
   const NodeInfo& node = *graph_.nodes_[id.value].info;
   const Name& written = to.written->extras->container_field;
-  if (!written.empty() && !takes(find_field_info(holder, written.text))) {
-    report(DiagnosticId::field_unknown, written.span,
-           fmt::format("`{}` has no field `{}` for nodes", holder.name, written.text));
+  const FieldInfo* renamed = find_field_as_written(holder, written.text, Encoding::vrml2);
+  if (!takes(find_field_info(holder, written.text)) && !written.empty()) {
+    if (takes(renamed)) {
+      report_renamed(holder, written, *renamed);
+    } else if (!is_reported(DiagnosticId::field_unknown, written.span)) {
+      report(DiagnosticId::field_unknown, written.span,
+             fmt::format("`{}` has no field `{}` for nodes{}", holder.name, written.text,
+                         suggest(written.text, node_field_names(holder))));
+    }
   }
-  to.field = container_field_of(holder, node, written.text);
+  to.field = takes(renamed) ? renamed : container_field_of(holder, node, written.text);
   if (to.field == nullptr) {
     report(DiagnosticId::node_misplaced, place_of(to),
            fmt::format("`{}` has no field for a `{}`; it is left out", holder.name, node.name));
@@ -130,12 +154,11 @@ void GraphBuilder::place_use(const Job& job) {
   const auto found = job.scope->definitions.find(name.text);
   if (found == job.scope->definitions.end()) {
     if (is_reported(DiagnosticId::use_unknown, name.span)) return;
-    const std::string suggestion = suggest(name.text, defined_names(*job.scope));
-    return report(
-        DiagnosticId::use_unknown, name.span,
-        fmt::format("no `DEF {}` stands before this `USE`{}", name.text, unknown_name_hint(*job.scope, name.text, suggestion)));
+    return report(DiagnosticId::use_unknown, name.span,
+                  fmt::format("no `DEF {}` stands before this `USE`{}", name.text, unknown_name_hint(*job.scope, name)));
   }
   const Definition& definition = *found->second;
+  if (definition.lost) return;
   if (definition.open) {
     const NodeInfo* holder = job.to.holder.valid() ? graph_.nodes_[job.to.holder.value].info : nullptr;
     if (only_refers(job.to, holder)) return;
@@ -145,6 +168,15 @@ void GraphBuilder::place_use(const Job& job) {
   if (!definition.node.valid() || !fits_depth(job.depth, definition.node, name.span)) return;
   place(job, definition.node);
   raise_height(job.to.holder, definition.node);
+}
+
+/// Why a name is not known here. Looking costs more than all else about a mistake, so only the first ones are looked for.
+std::string GraphBuilder::unknown_name_hint(const Scope& scope, const Name& name) {
+  if (suggestions_ >= kMaxSuggestions) return "";
+  if (is_defined_behind(document(scope), name)) return "; one stands behind it";
+  const std::string suggestion = suggest(name.text, defined_names(scope));
+  if (!suggestion.empty() || !is_defined_outside(scope, name.text)) return suggestion;
+  return "; names outside a prototype's body or an inlined file cannot be seen in it";
 }
 
 /// The nodes that an instance was given, for one field of a node in its body. Null when they do not fit there.

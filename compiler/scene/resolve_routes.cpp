@@ -56,6 +56,8 @@ void GraphBuilder::resolve_route(const PendingRoute& pending) {
   for (const Link& sender : senders) {
     for (const Link& receiver : receivers) {
       if (!spend(1, route.span)) return;
+      if (!joined_.insert({sender.node, receiver.node, sender.field, receiver.field}).second)
+        continue;  // X3D 4.1 part 1, 4.4.8.3
       graph_.routes_.push_back({sender.node, receiver.node, sender.field, receiver.field, route.span});
     }
   }
@@ -65,7 +67,13 @@ std::optional<RouteEnd> GraphBuilder::route_end(const PendingRoute& pending, boo
   const Name& node = outgoing ? pending.syntax->from_node : pending.syntax->to_node;
   const Name& field = outgoing ? pending.syntax->from_field : pending.syntax->to_field;
   const Definition* definition = outgoing ? pending.from : pending.to;
-  if (definition == nullptr) definition = find_definition(*pending.scope, node);
+  if (definition == nullptr) {
+    definition = find_definition(*pending.scope, node);
+    if (definition != nullptr && !definition->lost) {
+      report(DiagnosticId::route_invalid, node.span,
+             fmt::format("`DEF {}` stands behind this `ROUTE`; only nodes before it may be named", node.text));
+    }
+  }
   if (definition == nullptr) {
     if (!is_reported(DiagnosticId::route_invalid, node.span)) {
       std::vector<std::string_view> names;
@@ -76,6 +84,7 @@ std::optional<RouteEnd> GraphBuilder::route_end(const PendingRoute& pending, boo
     }
     return std::nullopt;
   }
+  if (definition->lost) return std::nullopt;
   if (definition->instance != nullptr) return instance_end(*definition->instance, field, outgoing);
   if (!definition->node.valid()) return std::nullopt;
   return node_end(definition->node, field, outgoing);

@@ -4,6 +4,7 @@
 //     # What the case shows, in a sentence or two.
 //     --- file scene.x3dv          the first file is compiled; further ones lie beside it
 //     --- scene scene.x3d          in place of it, several times: each is compiled, and all that stands below holds for each
+//     --- gzip part.x3dvz          a file that is written compressed
 //     --- image wood.png           rows of pixels, top first, as RRGGBBAA; written as a PNG
 //     --- options                  a word a line: lint; stage teapot; target essl300
 //     --- diagnostics              everything that is said, in order: `LINE:COLUMN code message`; absent: nothing

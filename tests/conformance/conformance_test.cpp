@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include "conformance/case_file.h"
 #include "image/write_png.h"
@@ -48,6 +49,21 @@ void write_image(const SceneFolder& folder, const CaseSection& section) {
   EXPECT_TRUE(write_png((folder.path() / section.title.at(1)).string(), width, height, pixels, true));
 }
 
+std::string gzipped(std::string text) {
+  z_stream stream{};
+  constexpr int kGzipFormat = 16;
+  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, MAX_WBITS + kGzipFormat, 8, Z_DEFAULT_STRATEGY) != Z_OK) return "";
+  std::string packed(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(text.data());
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
 /// The names of the files that are compiled.
 std::vector<std::string> scene_names(const CaseFile& file) {
   std::vector<std::string> names;
@@ -63,6 +79,7 @@ void write_files(const CaseFile& file, const SceneFolder& folder) {
   for (const CaseSection& section : file.sections) {
     const std::string& kind = section.title.front();
     if (kind == "image") write_image(folder, section);
+    if (kind == "gzip") folder.write(section.title.at(1), gzipped(section_text(section)));
     if (kind == "file" || kind == "scene") folder.write(section.title.at(1), section_text(section));
   }
 }
@@ -173,8 +190,8 @@ void expect_section(const Compiled& compiled, const CaseSection& section) {
     expect_pixels(compiled, section);
   else if (kind == "programs")
     EXPECT_EQ(std::to_string(compiled.package->programs()->size()), section.lines.at(0));
-  else if (kind != "file" && kind != "scene" && kind != "image" && kind != "options" && kind != "diagnostics" &&
-           kind != "graph") {
+  else if (kind != "file" && kind != "scene" && kind != "image" && kind != "gzip" && kind != "options" &&
+           kind != "diagnostics" && kind != "graph") {
     ADD_FAILURE() << "line " << section.line << ": no section is called `" << kind << "`";
   }
 }

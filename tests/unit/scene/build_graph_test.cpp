@@ -44,7 +44,7 @@ TEST(BuildGraph, ReportsUseOfUnknownNames) {
   const auto built = build_classic("Group { children [ DEF Tower Shape { } USE Towr ] }\nUSE Later\nDEF Later Group { }");
   EXPECT_EQ(built->said(),
             "scene.x3dv:2:44: error: no `DEF Towr` stands before this `USE`; did you mean `Tower`? [use-unknown]\n"
-            "scene.x3dv:3:5: error: no `DEF Later` stands before this `USE` [use-unknown]\n");
+            "scene.x3dv:3:5: error: no `DEF Later` stands before this `USE`; one stands behind it [use-unknown]\n");
 }
 
 TEST(BuildGraph, ReportsANodeThatContainsItself) {
@@ -142,7 +142,7 @@ TEST(BuildGraph, ReadsInterfaceFields) {
       "  initializeOnly SFFlot f 1 }\n"
       "Box { inputOutput SFFloat a 1 }");
   EXPECT_EQ(built->said(),
-            "scene.x3dv:4:18: error: no field type is called `SFFlot` [field-type]\n"
+            "scene.x3dv:4:18: error: no field type is called `SFFlot`; did you mean `SFFloat`? [field-type]\n"
             "scene.x3dv:5:27: warning: `Box` declares no fields of its own, such as `a` [field-unknown]\n");
   EXPECT_EQ(built->dump(),
             "roots #0 #2\n"
@@ -162,9 +162,12 @@ TEST(BuildGraph, UnderstandsVrml2Names) {
   EXPECT_FALSE(built->graph.boolean(built->root(2), "enabled"));
 }
 
-TEST(BuildGraph, X3dDoesNotTakeVrml2Names) {
+TEST(BuildGraph, TellsX3dItsOwnNamesForThoseOfVrml2) {
   const auto built = build_classic("Switch { choice Group { } }");
-  EXPECT_EQ(built->said(), "scene.x3dv:2:10: warning: `Switch` has no field `choice` [field-unknown]\n");
+  EXPECT_EQ(built->said(),
+            "scene.x3dv:2:10: warning: `choice` is the name of VRML 2.0; the field of `Switch` is called `children` in X3D "
+            "[field-unknown]\n");
+  EXPECT_EQ(built->graph.children(built->root(), "children").size(), 1U);
 }
 
 std::unique_ptr<BuiltGraph> build_xml(const std::string& scene) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "unit/scene/graph_fixture.h"
@@ -174,7 +175,8 @@ TEST(Prototypes, ExternalOnesMayNameBuiltInNodes) {
 TEST(Prototypes, ReportsMissingExternalOnes) {
   const auto built = build_classic("EXTERNPROTO Far [ ] [ \"far.x3dv\" \"urn:x:node:Nothing\" ]\nFar { }\nFar { }");
   EXPECT_EQ(built->said(),
-            "scene.x3dv:2:13: error: external prototype `Far` is found at none of its urls [externproto-missing]\n");
+            "scene.x3dv:2:24: error: cannot read `far.x3dv` [file-unreadable]\n"
+            "scene.x3dv:2:35: error: plugc knows no node called `urn:x:node:Nothing` [externproto-missing]\n");
 }
 
 TEST(Prototypes, ReportsExternalOnesThatContainThemselves) {
@@ -182,6 +184,13 @@ TEST(Prototypes, ReportsExternalOnesThatContainThemselves) {
       build_classic("EXTERNPROTO P [ ] \"p.x3dv#P\"\nP { }",
                     {{"p.x3dv", "#X3D V3.2 utf8\nEXTERNPROTO Q [ ] \"p.x3dv#P\"\nPROTO P [ ] { Group { children Q { } } }\n"}});
   EXPECT_EQ(built->said(), "p.x3dv:3:32: error: prototype `P` contains itself [proto-cycle]\n");
+}
+
+TEST(Prototypes, StopAtTheLimitOfPrototypesInsidePrototypes) {
+  std::string text = "PROTO P0 [ ] { Group { } }\n";
+  for (int i = 1; i < 80; ++i) text += fmt::format("PROTO P{} [ ] {{ Group {{ children P{} {{ }} }} }}\n", i, i - 1);
+  const auto built = build_classic(text + "P79 { }");
+  EXPECT_EQ(built->said(), "scene.x3dv:18:34: error: prototypes stand more than 64 deep inside one another [proto-cycle]\n");
 }
 
 TEST(Prototypes, WorkInXml) {
