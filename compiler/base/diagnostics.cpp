@@ -54,6 +54,11 @@ std::size_t hash_of(DiagnosticId id, const Span& span, const std::string& messag
   return std::hash<std::string>()(message) ^ (place * 31) ^ (static_cast<std::size_t>(id) << 17) ^ span.source.value;
 }
 
+char lower_case(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Letters of either case count as equal: `BOX` is near `Box`.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -62,7 +67,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (lower_case(a[i - 1]) == lower_case(b[j - 1]) ? 0 : 1)});
       diagonal = above;
     }
   }

@@ -56,10 +56,14 @@ class ClassicReader {
   void read_is(ValueSyntax& value);
   bool boolean_is_next() const;
   bool word_is_bad_value() const;
+  bool list_goes_on() const;
+  void read_more(ValueSyntax& value);
+  void skip_no_number();
 
   // Mistakes
   void expected(std::string_view what);
   Name expect_name(std::string_view what);
+  Name expect_own_name(std::string_view what);
   bool expect_to();
   bool expect_dot();
   bool stopped() {
@@ -71,8 +75,10 @@ class ClassicReader {
   DocumentBuilder build_;
   ClassicScanner scan_;
   std::uint32_t depth_ = 0;
+  std::uint32_t open_lists_ = 0;
   bool end_was_reported_ = false;
   bool scene_began_ = false;
+  bool stray_bracket_was_reported_ = false;  // it may have been meant to close a node
   std::uint32_t unexpected_at_ = UINT32_MAX;
 };
 

@@ -83,7 +83,8 @@ class ClassicScanner {
   }
   void skip_space() {
     constexpr std::string_view kIndentation = "        ";
-    while (static_cast<std::size_t>(end_ - at_) >= kIndentation.size() && kIndentation == std::string_view(at_, kIndentation.size())) {
+    while (static_cast<std::size_t>(end_ - at_) >= kIndentation.size() &&
+           kIndentation == std::string_view(at_, kIndentation.size())) {
       at_ += kIndentation.size();
     }
     while (at_ != end_ && is_a(*at_, kSpaceCharacter)) ++at_;

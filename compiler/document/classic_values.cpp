@@ -2,16 +2,28 @@
 // FALSE, NULL, IS, or else a node. The first item of a list decides what the list holds; an item of another kind is
 // reported and left out.
 
+#include <algorithm>
+#include <array>
+
 #include <fmt/format.h>
 
 #include "document/classic_reader.h"
 
 namespace plugc {
+namespace {
+
+bool is_word_for_no_number(std::string_view word) {
+  static constexpr std::array<std::string_view, 7> kWords = {"nan", "NaN", "NAN", "inf", "Inf", "INF", "Infinity"};
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+}  // namespace
 
 ValueSyntax ClassicReader::read_value(const Name& field) {
   const std::uint32_t begin = scan_.offset();
   const std::size_t first_number = build_.document.numbers.size();
   const std::size_t first_string = build_.document.strings.size();
+  const std::size_t mistakes = build_.mistake_count();
   if (scan_.next() == '[') return read_list();
   ValueSyntax value;
   if (scan_.next_is(kNumberStart)) {
@@ -27,10 +39,33 @@ ValueSyntax ClassicReader::read_value(const Name& field) {
     if (scan_.next() == '{' || scan_.next() == ']') scan_.skip_item();
     return value;
   }
+  read_more(value);
   value.span = scan_.span_from(begin);
+  value.damaged = build_.mistake_count() != mistakes;
   if (value.holds_numbers()) value.hold(build_.numbers_since(first_number));
   if (value.holds_strings()) value.hold(build_.strings_since(first_string));
   return value;
+}
+
+/// `nan` and `inf`, which programs write for numbers that they do not have; with all that belongs to the value.
+void ClassicReader::skip_no_number() {
+  build_.mistake(scan_.next_span(), fmt::format("`{}` is no number", scan_.peek_word()));
+  while (scan_.next_is(kNumberStart) || is_word_for_no_number(scan_.peek_word())) scan_.skip_item();
+}
+
+/// Behind a value without brackets: more strings or booleans, for which brackets were forgotten, or a string among numbers.
+void ClassicReader::read_more(ValueSyntax& value) {
+  if (value.kind == ValueKind::numbers && scan_.next() == '"') {
+    expected("a number, the name of a field or `}`");
+    while (scan_.next() == '"' || scan_.next_is(kNumberStart)) scan_.skip_item();
+  }
+  if (value.kind == ValueKind::numbers && is_word_for_no_number(scan_.peek_word())) skip_no_number();
+  const bool strings = value.kind == ValueKind::strings && scan_.next() == '"';
+  const bool booleans = value.kind == ValueKind::booleans && boolean_is_next();
+  if (!strings && !booleans) return;
+  build_.mistake(scan_.next_span(), fmt::format("several {} need `[` and `]` around them", in_words(value.kind)));
+  while (strings && scan_.next() == '"') read_string();
+  while (booleans && boolean_is_next()) read_boolean();
 }
 
 void ClassicReader::read_word_value(ValueSyntax& value, const Name& field) {
@@ -48,6 +83,8 @@ void ClassicReader::read_word_value(ValueSyntax& value, const Name& field) {
     const std::size_t mark = build_.nodes.open();
     if (auto node = read_node()) build_.add_list_node(std::move(*node));
     value.hold(build_.nodes.close(mark, build_.document.nodes));
+  } else if (is_word_for_no_number(word)) {
+    skip_no_number();
   } else {
     expected(fmt::format("a value for `{}`", shown(field.text)));
     if (word_is_bad_value()) scan_.take_word();
@@ -93,6 +130,7 @@ void ClassicReader::read_string() {
   MappedText text;
   if (!scan_.take_string(text)) {
     build_.mistake({place.source, place.begin, place.begin + 1}, "this `\"` begins a string that is not closed");
+    end_was_reported_ = true;
   }
   build_.add_string(std::move(text), place);
 }
@@ -110,16 +148,20 @@ void ClassicReader::read_is(ValueSyntax& value) {
 ValueSyntax ClassicReader::read_list() {
   ValueSyntax value;
   value.bracketed = true;
+  const std::size_t mistakes = build_.mistake_count();
   const std::uint32_t begin = scan_.offset();
   const Span bracket = scan_.next_span();
   const std::size_t nodes = build_.nodes.open();
   const std::size_t first_number = build_.document.numbers.size();
   const std::size_t first_string = build_.document.strings.size();
   scan_.take('[');
+  ++open_lists_;
   while (!stopped() && scan_.next() != ']' && read_list_item(value)) {
   }
+  --open_lists_;
   if (!scan_.take(']')) not_closed(bracket, "`[`");
   value.span = scan_.span_from(begin);
+  value.damaged = build_.mistake_count() != mistakes;
   value.hold(build_.nodes.close(nodes, build_.document.nodes));
   if (value.kind == ValueKind::none) value.kind = ValueKind::empty;
   if (value.holds_numbers()) value.hold(build_.numbers_since(first_number));
@@ -152,10 +194,25 @@ bool ClassicReader::read_list_word(ValueSyntax& value) {
     if (accept_in_list(value, ValueKind::nodes)) scan_.take_word();
   } else if (word == "DEF" || word == "USE" || scan_.brace_follows_word()) {
     read_list_node(value);
+  } else if (list_goes_on()) {
+    expected("an item of the list or `]`");
+    scan_.take_word();
   } else {
     return false;
   }
   return true;
+}
+
+/// Of `[ 0 1 two 3 ]` the word is a wrong item; in `[ 0 1 solid FALSE }` the `]` was forgotten.
+bool ClassicReader::list_goes_on() const {
+  constexpr int kFarthest = 1000;
+  ClassicScanner ahead = scan_;
+  for (int i = 0; i < kFarthest && !ahead.at_end(); ++i) {
+    const char next = ahead.next();
+    if (next == '[' || next == ']' || next == '{' || next == '}') return next == ']';
+    ahead.skip_item();
+  }
+  return false;
 }
 
 /// A node among numbers or strings is read, for its own mistakes, and dropped.

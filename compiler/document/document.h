@@ -51,6 +51,7 @@ enum class ValueKind : std::uint8_t {
 struct ValueSyntax {
   ValueKind kind = ValueKind::none;
   bool bracketed = false;   ///< Written in [ ].
+  bool damaged = false;     ///< A mistake in it was reported; that it does not fit its field then is no second one.
   Span span;                ///< The whole value.
   std::uint32_t first = 0;  ///< What it holds, in the pool that its kind says.
   std::uint32_t count = 0;

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 namespace plugc {
-
 DocumentBuilder::DocumentBuilder(SourceId source, Encoding encoding, const SourceSet& texts, Diagnostics& sink)
     : sources(texts), diagnostics(sink) {
   document.source = source;
@@ -94,7 +93,7 @@ void DocumentBuilder::add_connections(const OpenBody& body, std::span<const Conn
 }
 
 void DocumentBuilder::add_statement(NodeSyntax node) {
-  if (!admit(node.span)) return;
+  if (is_nameless(node) || !admit(node.span)) return;
   statements.add({StatementKind::node, static_cast<std::uint32_t>(document.nodes.size())});
   document.nodes.push_back(std::move(node));
 }

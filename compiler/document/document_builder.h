@@ -52,6 +52,11 @@ struct PoolSizes {
   std::size_t nodes, fields, interfaces, statements, routes, protos, imports, numbers, strings;
 };
 
+/// A ProtoInstance that does not say of what, which was reported.
+inline bool is_nameless(const NodeSyntax& node) {
+  return node.type.empty() && node.extras->use.empty();
+}
+
 class DocumentBuilder {
  public:
   DocumentBuilder(SourceId source, Encoding encoding, const SourceSet& sources, Diagnostics& diagnostics);
@@ -62,6 +67,7 @@ class DocumentBuilder {
   bool stopped() const { return stopped_; }
   /// Makes room, so that the pools of a large file do not grow by moving. Room that is never used costs nothing.
   void expect(std::size_t nodes, std::size_t fields, std::size_t strings);
+  std::size_t mistake_count() const { return mistakes_; }
 
   OpenBody open_body() const;
   /// Ends the lists of the node's body; what `extras` has then belongs to the node.
@@ -73,7 +79,7 @@ class DocumentBuilder {
   }
   void add_interface(InterfaceSyntax field);
   void add_list_node(const NodeSyntax& node) {
-    if (admit(node.span)) nodes.add(node);
+    if (!is_nameless(node) && admit(node.span)) nodes.add(node);
   }
   void add_cdata(MappedText text, const Span& place);
   /// The connections of a node, behind its other fields: an interface field of the node itself takes one as its value, as in

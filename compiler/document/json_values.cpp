@@ -11,6 +11,7 @@
 namespace plugc {
 
 ValueSyntax JsonReader::read_value() {
+  const std::size_t mistakes = build_.mistake_count();
   if (scan_.next() == '[') return read_list();
   ValueSyntax value;
   const std::uint32_t begin = scan_.offset();
@@ -34,6 +35,7 @@ ValueSyntax JsonReader::read_value() {
     reject_value();
   }
   value.span = scan_.span_from(begin);
+  value.damaged = build_.mistake_count() != mistakes;
   if (value.holds_numbers()) value.hold(build_.numbers_since(first_number));
   return value;
 }
@@ -41,6 +43,7 @@ ValueSyntax JsonReader::read_value() {
 ValueSyntax JsonReader::read_list() {
   ValueSyntax value;
   value.bracketed = true;
+  const std::size_t mistakes = build_.mistake_count();
   const std::uint32_t begin = scan_.offset();
   const std::size_t first_number = build_.document.numbers.size();
   const std::size_t first_string = build_.document.strings.size();
@@ -61,6 +64,7 @@ ValueSyntax JsonReader::read_list() {
   }
   if (value.kind == ValueKind::none) value.kind = ValueKind::empty;
   value.span = scan_.span_from(begin);
+  value.damaged = build_.mistake_count() != mistakes;
   if (value.holds_numbers()) value.hold(build_.numbers_since(first_number));
   if (value.holds_strings()) value.hold(build_.strings_since(first_string));
   return value;

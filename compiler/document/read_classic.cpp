@@ -5,6 +5,7 @@
 // without `]` ends before what cannot belong to it) or tokens are skipped up to the next field or closing bracket.
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -108,6 +109,18 @@ Name ClassicReader::expect_name(std::string_view what) {
   return scan_.take_word();
 }
 
+/// A name that the author chooses: none of the words of the grammar.
+Name ClassicReader::expect_own_name(std::string_view what) {
+  static constexpr std::array<std::string_view, 20> kKeywords = {
+      "AS", "DEF",  "EXPORT", "EXTERNPROTO", "FALSE",    "IMPORT",       "IS",    "NULL",      "PROTO",      "ROUTE",
+      "TO", "TRUE", "USE",    "eventIn",     "eventOut", "exposedField", "field", "inputOnly", "outputOnly", "inputOutput"};
+  const Name name = expect_name(what);
+  if (std::find(kKeywords.begin(), kKeywords.end(), name.text) != kKeywords.end()) {
+    build_.mistake(name.span, fmt::format("`{}` is a word of the language; choose another name", name.text));
+  }
+  return name;
+}
+
 /// `TO` between the ends of a ROUTE; where it was forgotten a name goes on.
 bool ClassicReader::expect_to() {
   if (scan_.peek_word() == "TO") {
@@ -126,7 +139,7 @@ bool ClassicReader::expect_dot() {
 
 /// At the end of the text every open bracket lacks its other half; that is one mistake, told for the innermost.
 void ClassicReader::not_closed(const Span& span, std::string_view what) {
-  if (stopped() || end_was_reported_) return;
+  if (stopped() || end_was_reported_ || (scan_.at_end() && stray_bracket_was_reported_)) return;
   end_was_reported_ = scan_.at_end();
   build_.mistake(span, fmt::format("{} is not closed before {}", what, scan_.describe_next()));
 }
@@ -262,7 +275,7 @@ void ClassicReader::read_proto() {
   ProtoSyntax proto;
   const std::uint32_t begin = scan_.offset();
   scan_.take_word();
-  proto.name = expect_name("the name of a prototype");
+  proto.name = expect_own_name("the name of a prototype");
   proto.interface = read_interfaces(proto.name, true);
   const Span brace = scan_.next_span();
   if (!scan_.take('{')) return expected("`{` and the body of the prototype");
@@ -284,7 +297,7 @@ void ClassicReader::read_externproto() {
   ProtoSyntax proto;
   const std::uint32_t begin = scan_.offset();
   scan_.take_word();
-  proto.name = expect_name("the name of a prototype");
+  proto.name = expect_own_name("the name of a prototype");
   proto.interface = read_interfaces(proto.name, false);
   if (scan_.next() != '"' && scan_.next() != '[') return expected("the urls of the prototype");
   const Span place = scan_.next_span();
@@ -304,14 +317,14 @@ std::optional<NodeSyntax> ClassicReader::read_node() {
   const std::uint32_t begin = scan_.offset();
   if (scan_.peek_word() == "USE") {
     scan_.take_word();
-    extras.use = expect_name("a name behind `USE`");
+    extras.use = expect_own_name("a name behind `USE`");
     node.span = scan_.span_from(begin);
     build_.give(node, extras);
     return extras.use.empty() ? std::nullopt : std::optional(node);
   }
   if (scan_.peek_word() == "DEF") {
     scan_.take_word();
-    extras.def = expect_name("a name behind `DEF`");
+    extras.def = expect_own_name("a name behind `DEF`");
   }
   node.type = expect_name("the type of a node");
   if (node.type.empty()) return std::nullopt;
@@ -333,7 +346,8 @@ void ClassicReader::read_node_body(NodeSyntax& node, NodeExtras& extras) {
   scan_.take('{');
   ++depth_;
   const OpenBody body = build_.open_body();
-  while (!stopped() && !scan_.at_end() && scan_.next() != '}') read_body_item();
+  const auto list_ends = [&] { return scan_.next() == ']' && open_lists_ > 0; };
+  while (!stopped() && !scan_.at_end() && scan_.next() != '}' && !list_ends()) read_body_item();
   build_.close_body(body, node, extras);
   --depth_;
   if (!scan_.take('}')) not_closed(node.type.span, fmt::format("`{}`", shown(node.type.text)));
@@ -341,7 +355,11 @@ void ClassicReader::read_node_body(NodeSyntax& node, NodeExtras& extras) {
 
 void ClassicReader::read_body_item() {
   AccessType access{};
-  if (!scan_.next_is(kWordStart)) {
+  if (scan_.next() == ']') {
+    build_.mistake(scan_.next_span(), "`]` closes nothing here");
+    stray_bracket_was_reported_ = true;
+    scan_.take(']');
+  } else if (!scan_.next_is(kWordStart)) {
     expected("the name of a field or `}`");
     while (!scan_.at_end() && !scan_.next_is(kWordStart) && scan_.next() != '}') scan_.skip_item();
   } else if (access_word_is_next(access)) {

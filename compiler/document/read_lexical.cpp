@@ -31,9 +31,29 @@ void report(const MappedText& text, std::size_t begin, std::size_t end, std::str
   diagnostics.report(DiagnosticId::field_type, place, std::move(message));
 }
 
-bool read_boolean(std::string_view item, double& value) {
-  value = item == "true" || item == "TRUE" ? 1 : 0;
-  return value != 0 || item == "false" || item == "FALSE";
+/// `true`, `false`; other ways to say so are reported and understood.
+double read_boolean(std::string_view item, std::string& message) {
+  if (item == "true" || item == "false") return item == "true" ? 1 : 0;
+  if (item == "TRUE" || item == "FALSE") {
+    message = fmt::format("`{}` is spelled `{}` here", item, item == "TRUE" ? "true" : "false");
+    return item == "TRUE" ? 1 : 0;
+  }
+  message = fmt::format("`{}` is neither `true` nor `false`", item.substr(0, kLongestShown));
+  return item == "1" ? 1 : 0;
+}
+
+double read_number(std::string_view item, std::string& message) {
+  double value = 0;
+  const auto [end, error] = scan_number(item.data(), item.data() + item.size(), value);
+  const bool whole = end == item.data() + item.size();
+  if (error == std::errc() && whole) return value;
+  if (error == std::errc::result_out_of_range && whole) {
+    if (item.find("e-") != std::string_view::npos) return 0;  // too small to tell from zero
+    message = fmt::format("`{}` is larger than any number that plugc reads", item.substr(0, kLongestShown));
+  } else {
+    message = fmt::format("`{}` is no number", item.substr(0, kLongestShown));
+  }
+  return 0;
 }
 
 /// The string whose opening quote is at `at`; moves `at` behind its closing quote. False when there is none.
@@ -55,28 +75,29 @@ bool read_quoted(const MappedText& text, std::size_t& at, MappedText& string) {
 
 }  // namespace
 
-std::vector<double> read_lexical_numbers(const MappedText& text, Diagnostics& diagnostics) {
-  std::vector<double> numbers;
+LexicalNumbers read_lexical_numbers(const MappedText& text, LexicalKind kind, Diagnostics& diagnostics) {
+  LexicalNumbers read;
+  std::size_t mistakes = 0;
   const std::string_view bytes = text.text();
   const char* const end = bytes.data() + bytes.size();
   std::size_t at = skip_space(bytes, 0);
   while (at < bytes.size()) {
-    const auto next = static_cast<std::size_t>(scan_numbers(bytes.data() + at, end, numbers).next - bytes.data());
+    const bool run = kind == LexicalKind::numbers;
+    const auto next =
+        !run ? at : static_cast<std::size_t>(scan_numbers(bytes.data() + at, end, read.numbers).next - bytes.data());
     if (next != at) {
       at = next;
       continue;
     }
     const std::size_t behind = item_end(bytes, at);
     const std::string_view item = bytes.substr(at, behind - at);
-    double value = 0;
-    if (!read_boolean(item, value)) {
-      report(text, at, behind, fmt::format("`{}` is no number", item.substr(0, kLongestShown)), diagnostics);
-      break;
-    }
-    numbers.push_back(value);
+    std::string message;
+    read.numbers.push_back(kind == LexicalKind::numbers ? read_number(item, message) : read_boolean(item, message));
+    if (!message.empty() && ++mistakes <= kMaxSyntaxMistakes) report(text, at, behind, std::move(message), diagnostics);
     at = skip_space(bytes, behind);
   }
-  return numbers;
+  read.damaged = mistakes > 0;
+  return read;
 }
 
 std::vector<MappedText> read_lexical_strings(const MappedText& text, Diagnostics& diagnostics) {

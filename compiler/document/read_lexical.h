@@ -8,9 +8,16 @@
 
 namespace plugc {
 
-/// Numbers separated by white space and commas; `true`/`false` count as 1/0; hexadecimal `0xFF` too. The first thing that
-/// is none of them is reported at its own place (field_type), and what was read before it is kept.
-std::vector<double> read_lexical_numbers(const MappedText& text, Diagnostics& diagnostics);
+enum class LexicalKind : std::uint8_t { numbers, booleans };
+
+struct LexicalNumbers {
+  std::vector<double> numbers;
+  bool damaged = false;  ///< Something in the text was reported.
+};
+
+/// Numbers (hexadecimal `0xFF` too) or `true` and `false`, as 1 and 0, separated by white space and commas. What is none is
+/// reported at its own place (field_type) and stands as 0.
+LexicalNumbers read_lexical_numbers(const MappedText& text, LexicalKind kind, Diagnostics& diagnostics);
 
 /// `"a" "b\"c"` as MFString. Text without any quote is one string (common in real files).
 std::vector<MappedText> read_lexical_strings(const MappedText& text, Diagnostics& diagnostics);

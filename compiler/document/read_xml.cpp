@@ -55,6 +55,12 @@ bool is_text(const pugi::xml_node& node) {
   return node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
 }
 
+/// Whether two names differ at most in the case of their letters.
+bool is_spelled_like(std::string_view name, std::string_view wanted) {
+  const auto same = [](char a, char b) { return (a | 0x20) == (b | 0x20); };
+  return std::equal(name.begin(), name.end(), wanted.begin(), wanted.end(), same);
+}
+
 class XmlReader {
  public:
   XmlReader(SourceId source, const SourceSet& sources, Diagnostics& diagnostics)
@@ -71,6 +77,7 @@ class XmlReader {
   void read_scene(const pugi::xml_node& scene);
 
   // Places
+  bool is_inside(const char* in_buffer) const;
   std::uint32_t offset_of(const char* in_buffer) const;
   Span tag_span(const pugi::xml_node& element) const;
   Span element_span(const pugi::xml_node& element) const;
@@ -163,14 +170,23 @@ void XmlReader::report_markup(const pugi::xml_parse_result& result) {
 }
 
 void XmlReader::read_root(const pugi::xml_node& root) {
-  if (std::string_view(root.name()) != "X3D") {
-    return build_.mistake(tag_span(root), fmt::format("expected `<X3D>`, found `<{}>`", shown(root.name())));
+  const std::string_view root_name = root.name();
+  if (root_name != "X3D") {
+    build_.mistake(tag_span(root), fmt::format("expected `<X3D>`, found `<{}>`", shown(root_name)));
+    if (root_name == "Scene") return read_scene(root);
+    if (!is_spelled_like(root_name, "X3D")) return;
   }
   if (const auto version = root.attribute("version")) set_version(build_, version.value(), value_span(version));
+  const std::size_t mistakes = build_.mistake_count();
   bool found = false;
   for (const auto& child : root.children()) {
     const std::string_view name = child.name();
-    if (name == "Scene") {
+    if (is_spelled_like(name, "Scene")) {
+      if (name != "Scene") {
+        build_.mistake(tag_span(child), fmt::format("expected `<Scene>`, found `<{}>`", shown(name)));
+      } else if (found) {
+        build_.mistake(tag_span(child), "`<X3D>` holds one `<Scene>`; put these nodes into the first one");
+      }
       found = true;
       read_scene(child);
     } else if (is_text(child)) {
@@ -179,7 +195,7 @@ void XmlReader::read_root(const pugi::xml_node& root) {
       build_.mistake(tag_span(child), fmt::format("expected `<head>` or `<Scene>`, found `<{}>`", shown(name)));
     }
   }
-  if (!found) build_.mistake(tag_span(root), "`<X3D>` holds no `<Scene>`");
+  if (!found && build_.mistake_count() == mistakes) build_.mistake(tag_span(root), "`<X3D>` holds no `<Scene>`");
 }
 
 void XmlReader::read_scene(const pugi::xml_node& scene) {
@@ -191,11 +207,14 @@ void XmlReader::read_scene(const pugi::xml_node& scene) {
 
 // Places
 
+bool XmlReader::is_inside(const char* in_buffer) const {
+  const std::less_equal<> at_most;
+  return at_most(buffer_.data(), in_buffer) && at_most(in_buffer, buffer_.data() + buffer_.size());
+}
+
 /// pugixml hands out a static "" where nothing was written; that lies outside and counts as the start of the text.
 std::uint32_t XmlReader::offset_of(const char* in_buffer) const {
-  const std::less_equal<> at_most;
-  const bool inside = at_most(buffer_.data(), in_buffer) && at_most(in_buffer, buffer_.data() + buffer_.size());
-  return inside ? static_cast<std::uint32_t>(in_buffer - buffer_.data()) : 0;
+  return is_inside(in_buffer) ? static_cast<std::uint32_t>(in_buffer - buffer_.data()) : 0;
 }
 
 Span XmlReader::tag_span(const pugi::xml_node& element) const {
@@ -253,13 +272,20 @@ ValueSyntax XmlReader::lexical_value(const pugi::xml_attribute& attribute) {
   ValueSyntax value;
   value.kind = ValueKind::lexical;
   value.span = value_span(attribute);
+  const std::size_t mistakes = build_.mistake_count();
   value.hold(build_.add_string(decode_xml(value.span, build_), value.span));
+  value.damaged = build_.mistake_count() != mistakes;
   if (value.count == 0) value.kind = ValueKind::none;  // not admitted
   return value;
 }
 
 void XmlReader::read_node_attribute(const pugi::xml_attribute& attribute, NodeExtras& extras) {
   const std::string_view name = attribute.name();
+  if (!is_inside(attribute.value())) return;  // the markup ends in front of the value
+  const Name* twice = name == "DEF" ? &extras.def : name == "USE" ? &extras.use : &extras.container_field;
+  if ((twice != &extras.container_field || name == "containerField") && !twice->empty()) {
+    build_.mistake(name_span(attribute), fmt::format("`{}` is given twice", name));
+  }
   if (name == "DEF") {
     extras.def = value_name(attribute);
   } else if (name == "USE") {
@@ -496,7 +522,11 @@ void XmlReader::read_connections(const pugi::xml_node& element, const OpenBody& 
 }
 
 void XmlReader::reject_text(const pugi::xml_node& text) {
-  if (!is_blank(text.value())) build_.mistake(text_span(text), "text stands where only elements may");
+  const std::string_view written = text.value();
+  if (is_blank(written)) return;
+  Span span = text_span(text);
+  span.begin += static_cast<std::uint32_t>(written.find_first_not_of(" \t\r\n"));
+  build_.mistake(span, "text stands where only elements may");
 }
 
 }  // namespace

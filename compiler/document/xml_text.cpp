@@ -125,7 +125,11 @@ MappedText decode_xml(const Span& span, DocumentBuilder& builder) {
                      span.begin + static_cast<std::uint32_t>(at + written.size())};
     const auto text = written.empty() ? std::nullopt : entity(written.substr(1, written.size() - 2));
     if (!text) {
-      builder.mistake({place.source, place.begin, place.begin + 1}, "this `&` begins no entity of XML; write `&amp;`");
+      builder.mistake(written.empty() ? Span{place.source, place.begin, place.begin + 1} : place,
+                      written.empty() ? "this `&` begins no entity of XML; write `&amp;`"
+                      : written.starts_with("&#")
+                          ? fmt::format("`{}` refers to no character", written)
+                          : fmt::format("XML has no entity `{}`; write `&amp;` for the character `&`", written));
       continue;
     }
     append_run(at);

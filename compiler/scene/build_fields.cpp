@@ -1,12 +1,15 @@
 // What stands inside a node: fields, and interface declarations with their values. Numbers and strings are read at once;
 // nodes become jobs that fill a list; IS takes what the prototype's instance was given.
 
+#include <algorithm>
+#include <array>
 #include <unordered_set>
 
 #include <fmt/format.h>
 
 #include "scene/event_names.h"
 #include "scene/graph_builder.h"
+#include "scene/value_limits.h"
 
 namespace plugc {
 namespace {
@@ -23,6 +26,17 @@ bool is_url(std::string_view field) {
   return field.ends_with("url") || field.ends_with("Url");
 }
 
+/// X3D 4.0, part 1, 4.3.2: attributes by which pages of the web refer to an element. `style` is a field of FontStyle too.
+bool is_for_pages(std::string_view attribute, Encoding encoding) {
+  return attribute == "style" && (encoding == Encoding::xml || encoding == Encoding::json);
+}
+
+bool takes_code(const NodeInfo& node) {
+  static constexpr std::array<std::string_view, 5> kTypes = {"X3DScriptNode", "EffectPart", "ShaderPart", "ShaderProgram",
+                                                             "PackagedShader"};
+  return std::any_of(kTypes.begin(), kTypes.end(), [&](std::string_view type) { return is_a(node, type); });
+}
+
 }  // namespace
 
 void GraphBuilder::build_fields(const Job& job, NodeId id) {
@@ -31,6 +45,13 @@ void GraphBuilder::build_fields(const Job& job, NodeId id) {
   for (const StatementSyntax& statement : text.of(syntax.extras->statements)) {
     if (statement.kind == StatementKind::proto) declare_prototype(*job.scope, statement.index, false);
     if (statement.kind == StatementKind::externproto) declare_prototype(*job.scope, statement.index, true);
+  }
+  const NodeInfo& info = *graph_.nodes_[id.value].info;
+  if (!syntax.extras->cdata.empty() && !takes_code(info)) {
+    const MappedText& code = text.of(syntax.extras->cdata).front();
+    const std::size_t begin = std::min<std::size_t>(code.text().find_first_not_of(" \t\n"), code.size());
+    report(DiagnosticId::syntax, code.locate(static_cast<std::uint32_t>(begin), code.size()),
+           fmt::format("text stands inside `{}`, which holds no code", info.name));
   }
   build_interface(job, id);
   for (const FieldSyntax& field : text.of(syntax.fields)) build_field(job, id, field);
@@ -53,6 +74,7 @@ void GraphBuilder::build_field(const Job& job, NodeId id, const FieldSyntax& fie
     return push_nodes(job, field.value, to, *job.scope);
   }
   const FieldInfo* info = find_field(*job.scope, node, field);
+  if (info == nullptr && is_for_pages(field.name.text, document(*job.scope).encoding)) return;
   if (info == nullptr) {
     report_unknown_field(node, field.name);
     return lose_nodes(*job.scope, field.value);
@@ -64,7 +86,7 @@ void GraphBuilder::build_field(const Job& job, NodeId id, const FieldSyntax& fie
   }
   if (is_node(info->type)) return build_node_field(job, id, *info, field);
   FieldValue value;
-  const ValueContract contract{info->type, info->minimum, info->maximum, info->name, node.name};
+  const ValueContract contract{info->type, info, info->name, node.name};
   if (!read_plain(*job.scope, field.value, contract, value)) return lose_nodes(*job.scope, field.value);
   graph_.nodes_[id.value].fields[write_field(id, *info, field.name.span)].value = value;
 }
@@ -91,7 +113,7 @@ void GraphBuilder::report_renamed(const NodeInfo& node, const Name& name, const 
 
 void GraphBuilder::build_node_field(const Job& job, NodeId id, const FieldInfo& info, const FieldSyntax& field) {
   const NodeInfo& node = *graph_.nodes_[id.value].info;
-  if (!holds_nodes(field.value, {info.type, "", "", info.name, node.name})) return;
+  if (!holds_nodes(field.value, {info.type, &info, info.name, node.name})) return;
   const std::size_t index = write_field(id, info, field.name.span);
   FieldValue& value = graph_.nodes_[id.value].fields[index].value;
   value.type = info.type;
@@ -138,7 +160,7 @@ void GraphBuilder::build_interface_value(const Job& job, NodeId id, std::size_t 
   if (declared.value.kind == ValueKind::is) return connect_interface(job, id, index, declared);
   const GraphNode& node = graph_.nodes_[id.value];
   const FieldType type = node.interface[index].type;
-  const ValueContract contract{type, "", "", declared.name.text, node.info->name};
+  const ValueContract contract{type, nullptr, declared.name.text, node.info->name};
   FieldValue value;
   value.type = type;
   value.span = declared.value.span;
@@ -167,8 +189,16 @@ void GraphBuilder::connect_field(const Job& job, NodeId id, const FieldInfo& inf
   const std::size_t index = write_field(id, info, field.name.span);
   GraphNode& node = graph_.nodes_[id.value];
   node.fields[index].value = source->value;
+  check_connected(source->value, {info.type, &info, info.name, node.info->name});
   if (shared != nullptr) list_uses_.push_back({id, static_cast<std::uint32_t>(index), false, shared});
   if (is_url(info.name)) node.document = source->value_document;
+}
+
+/// A value meets the limits of a field only where it is connected to one.
+void GraphBuilder::check_connected(const FieldValue& value, const ValueContract& contract) {
+  const auto out = find_out_of_range(contract, value.numbers);
+  if (out) report(DiagnosticId::field_range, value.span, out->message);
+  check_words(contract, value.span, value.strings, diagnostics_);
 }
 
 void GraphBuilder::connect_interface(const Job& job, NodeId id, std::size_t index, const InterfaceSyntax& declared) {
@@ -209,9 +239,10 @@ bool GraphBuilder::declare_once(std::unordered_set<std::string_view>& names, con
 bool GraphBuilder::holds_nodes(const ValueSyntax& value, const ValueContract& contract) {
   const bool empty_list = value.kind == ValueKind::empty && is_multiple(contract.type);
   if (value.kind == ValueKind::nodes || empty_list) return true;
+  if (value.damaged || value.kind == ValueKind::none) return false;  // reported by the reader
   report(DiagnosticId::field_type, value.span,
-         fmt::format("`{}` of `{}` takes {}, but {} stand here", contract.field, contract.node, to_text(contract.type),
-                     describe(value.kind)));
+         fmt::format("`{}` of `{}` takes {}, but {} here", contract.field, contract.node, to_text(contract.type),
+                     what_stands(value)));
   return false;
 }
 

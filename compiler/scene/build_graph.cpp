@@ -22,6 +22,8 @@ constexpr std::size_t kMaxWork = std::size_t{6} * kMaxSceneNodes;
 std::vector<std::string_view> node_names() {
   std::vector<std::string_view> names;
   for (const NodeInfo& info : node_table()) names.push_back(info.name);
+  for (const std::string_view statement : {"ROUTE", "IMPORT", "EXPORT", "ProtoDeclare", "ProtoInstance"})
+    names.push_back(statement);
   return names;
 }
 

@@ -161,11 +161,6 @@ Shading read_shading(SceneContext& context, NodeId shape) {
   const std::string_view shading = context.graph.string(shape, "shading");
   if (shading == "GOURAUD") return Shading::gouraud;
   if (shading == "WIREFRAME") return Shading::wireframe;
-  if (shading != "DEFAULT" && shading != "PHONG") {
-    context.diagnostics.report(
-        DiagnosticId::field_value, context.graph.field_span(shape, "shading"),
-        fmt::format("`shading` is `{}`; it takes `DEFAULT`, `PHONG`, `GOURAUD` or `WIREFRAME`", shading));
-  }
   return Shading::phong;
 }
 

@@ -223,7 +223,7 @@ ProtoField* GraphBuilder::find_given(const Job& job, Instance& instance, const F
 }
 
 void GraphBuilder::give_value(const Job& job, Instance& instance, ProtoField& field, const ValueSyntax& value, Scope& scope) {
-  const ValueContract contract{field.type, "", "", field.declared->name.text, instance.prototype->syntax->name.text};
+  const ValueContract contract{field.type, nullptr, field.declared->name.text, instance.prototype->syntax->name.text};
   field.value_document = scope.document;
   field.value.type = field.type;
   field.value.span = value.span;

@@ -1,16 +1,20 @@
-// A value goes through three questions: is it of the right kind (numbers for numbers), does it have the right count (one
-// element, or a multiple of an element's components), and is every number in the field's range. Values in a document are
-// viewed where they are; the text of an XML attribute is read by the field's type and kept in the store.
+// A value goes through four questions: is it of the right kind (numbers for numbers), does it have the right count (one
+// element, or a multiple of an element's components), is every number whole where it must be, and is it in the field's range
+// or one of its words (value_limits.h). Values in a document are viewed where they are; the text of an XML attribute is read
+// by the field's type and kept in the store. What a reader has already called damaged is not reported again.
 
 #include "scene/field_values.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "document/number_places.h"
 #include "document/read_lexical.h"
+#include "scene/value_limits.h"
 
 namespace plugc {
 namespace {
@@ -21,14 +25,18 @@ struct Reading {
   const ValueContract& contract;
   ValueStore& store;
   Diagnostics& diagnostics;
+  bool damaged = false;  // of the value something was reported
 
-  std::string subject() const { return fmt::format("`{}` of `{}`", contract.field, contract.node); }
-
-  bool wrong_type(std::string_view what) const {
-    diagnostics.report(DiagnosticId::field_type, syntax.span,
-                       fmt::format("{} takes {}, but {}", subject(), to_text(contract.type), what));
+  bool wrong_type(const Span& span, std::string_view what) const {
+    if (damaged) return false;
+    diagnostics.report(
+        DiagnosticId::field_type, span,
+        fmt::format("`{}` of `{}` takes {}, but {}", contract.field, contract.node, to_text(contract.type), what));
     return false;
   }
+  bool wrong_type(std::string_view what) const { return wrong_type(syntax.span, what); }
+  Span place_of(std::size_t number) const { return number_span(syntax, document, diagnostics.sources(), number); }
+  bool wrong_number(std::size_t index, std::string_view what) const { return wrong_type(place_of(index), what); }
 };
 
 bool is_boolean(FieldType type) {
@@ -38,43 +46,76 @@ bool is_integer(FieldType type) {
   return type == FieldType::SFInt32 || type == FieldType::MFInt32;
 }
 
-std::span<const double> lexical_numbers(const Reading& reading) {
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// "a number stands", "3 numbers stand".
+std::string standing(std::size_t count, std::string_view thing) {
+  if (count == 0) return "nothing stands";
+  return count == 1 ? fmt::format("a {} stands", thing) : fmt::format("{} stand", counted(count, thing));
+}
+
+std::span<const double> lexical_numbers(Reading& reading) {
   const std::span<const MappedText> text = reading.document.of(reading.syntax.strings());
   if (text.empty()) return {};
-  return reading.store.numbers.emplace_back(read_lexical_numbers(text[0], reading.diagnostics));
+  const LexicalKind kind = is_boolean(reading.contract.type) ? LexicalKind::booleans : LexicalKind::numbers;
+  Diagnostics unheard(reading.diagnostics.sources());  // what a damaged text says is no mistake of its own
+  LexicalNumbers read = read_lexical_numbers(text[0], kind, reading.damaged ? unheard : reading.diagnostics);
+  reading.damaged |= read.damaged;
+  return reading.store.numbers.emplace_back(std::move(read.numbers));
 }
 
 /// The numbers written, when numbers may stand here.
-std::optional<std::span<const double>> numbers_of(const Reading& reading) {
+std::optional<std::span<const double>> numbers_of(Reading& reading) {
   const ValueKind kind = reading.syntax.kind;
   if (kind == ValueKind::lexical) return lexical_numbers(reading);
   if (kind == ValueKind::empty) return std::span<const double>();
   const bool fits = is_boolean(reading.contract.type) ? kind == ValueKind::booleans : kind == ValueKind::numbers;
   if (fits) return reading.document.of(reading.syntax.numbers());
-  reading.wrong_type(fmt::format("{} stand here", describe(kind)));
+  reading.wrong_type(what_stands(reading.syntax) + " here");
   return std::nullopt;
 }
 
-/// width height components, then width * height pixels; for MFImage any number of such.
-bool check_images(const Reading& reading, std::span<const double> numbers) {
+/// The size of one image, `width height components` and a number a pixel; 0 when it is none (reported).
+std::size_t image_size(const Reading& reading, std::span<const double> numbers, std::size_t at) {
   constexpr double kMaxSide = 65536;
+  constexpr double kMaxComponents = 4;
+  const auto wrong = [&](std::size_t index, std::string_view what) {
+    reading.wrong_number(at + index, what);
+    return std::size_t{0};
+  };
+  const std::span<const double> image = numbers.subspan(at);
+  if (image.size() < 3) {
+    reading.wrong_type("an image starts with its width, height and number of components");
+    return 0;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (image[i] >= 0 && image[i] <= kMaxSide && image[i] == std::trunc(image[i])) continue;
+    return wrong(i, fmt::format("an image cannot be {} pixels {}", image[i], i == 0 ? "wide" : "high"));
+  }
+  if (image[2] < 0 || image[2] > kMaxComponents || image[2] != std::trunc(image[2])) {
+    return wrong(2, fmt::format("an image has 0 to 4 components, not {}", image[2]));
+  }
+  const auto pixels = static_cast<std::size_t>(image[0] * image[1]);
+  if (pixels <= image.size() - 3) return 3 + pixels;
+  reading.wrong_type(fmt::format("an image of {} x {} needs {}, and {} here", image[0], image[1], counted(pixels, "pixel"),
+                                 standing(image.size() - 3, "pixel")));
+  return 0;
+}
+
+/// For MFImage any number of images.
+bool check_images(const Reading& reading, std::span<const double> numbers) {
+  const bool single = reading.contract.type == FieldType::SFImage;
   std::size_t at = 0;
-  std::size_t images = 0;
-  while (at < numbers.size()) {
-    if (numbers.size() - at < 3) return reading.wrong_type("an image starts with its width, height and components");
-    const double width = numbers[at], height = numbers[at + 1];
-    const bool sized = width >= 0 && width <= kMaxSide && height >= 0 && height <= kMaxSide;
-    const double left = static_cast<double>(numbers.size() - at - 3);
-    if (!sized || std::floor(width) * std::floor(height) > left) {
-      return reading.wrong_type(fmt::format("an image of {} x {} has {} pixels here", width, height, left));
-    }
-    at += 3 + static_cast<std::size_t>(std::floor(width) * std::floor(height));
-    ++images;
-  }
-  if (reading.contract.type == FieldType::SFImage && images != 1) {
-    return reading.wrong_type(fmt::format("{} images stand here", images));
-  }
-  return true;
+  do {
+    if (!single && numbers.empty()) return true;
+    const std::size_t size = image_size(reading, numbers, at);
+    if (size == 0) return false;
+    at += size;
+  } while (!single && at < numbers.size());
+  if (at == numbers.size()) return true;
+  return reading.wrong_number(at, fmt::format("{} behind the last pixel", standing(numbers.size() - at, "number")));
 }
 
 bool check_count(const Reading& reading, std::span<const double>& numbers) {
@@ -83,108 +124,121 @@ bool check_count(const Reading& reading, std::span<const double>& numbers) {
   if (components == 0) return check_images(reading, numbers);
   if (!is_multiple(type)) {
     if (numbers.size() == components) return true;
-    return reading.wrong_type(fmt::format("{} numbers stand here instead of {}", numbers.size(), components));
+    const std::string_view thing = is_boolean(type) ? "boolean" : "number";
+    return reading.wrong_type(fmt::format("{} here instead of {}", standing(numbers.size(), thing), components));
   }
   const std::size_t rest = numbers.size() % components;
   if (rest == 0) return true;
-  reading.wrong_type(fmt::format("{} numbers are no multiple of {}", numbers.size(), components));
+  reading.wrong_type(fmt::format("{} are no multiple of {}", counted(numbers.size(), "number"), components));
   numbers = numbers.first(numbers.size() - rest);
   return true;
 }
 
-bool check_whole(const Reading& reading, std::span<const double> numbers) {
-  for (const double number : numbers) {
-    if (number != std::trunc(number)) return reading.wrong_type(fmt::format("{} is no whole number", number));
+/// Whether a number is whole and has 32 bits. Of those from 2^31 on, hexadecimal ones are meant as bits.
+bool check_integer(const Reading& reading, double number, std::size_t index) {
+  if (number != std::trunc(number)) return reading.wrong_number(index, fmt::format("{} is no whole number", number));
+  constexpr double kLeast = std::numeric_limits<std::int32_t>::min();
+  const bool as_bits = number > std::numeric_limits<std::int32_t>::max() && number <= std::numeric_limits<std::uint32_t>::max();
+  if (number >= kLeast && as_bits) {
+    const std::string_view written = reading.diagnostics.sources().text(reading.place_of(index));
+    if (written.starts_with("0x") || written.starts_with("0X")) return true;
+  } else if (number >= kLeast && number <= std::numeric_limits<std::int32_t>::max()) {
+    return true;
   }
+  return reading.wrong_number(index, fmt::format("{:.0f} does not fit into 32 bits", number));
+}
+
+/// `0xFFFFFFFF` as an integer is -1; nearly always there is no such number, and the numbers stay where they are.
+bool check_integers(const Reading& reading, std::span<const double>& numbers) {
+  bool any_bits = false;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double number = numbers[i];
+    const bool plain =
+        number == static_cast<double>(static_cast<std::int32_t>(std::clamp(number, -2147483648.0, 2147483647.0)));
+    if (plain) continue;
+    if (!check_integer(reading, number, i)) return false;
+    any_bits = true;
+  }
+  if (!any_bits) return true;
+  std::vector<double>& copy = reading.store.numbers.emplace_back(numbers.begin(), numbers.end());
+  for (double& number : copy) number = static_cast<std::int32_t>(static_cast<std::int64_t>(number));
+  numbers = copy;
   return true;
 }
 
-/// A bound like `>=0`, `>0`, `<=1`; an empty one holds for every number. Angles are often written rounded (1.5708 for a
-/// right angle), so an inclusive bound takes a little more.
-struct Bound {
-  bool exists = false;
-  bool above = false;
-  bool inclusive = false;
-  double value = 0;
-
-  explicit Bound(std::string_view text) {
-    if (text.empty()) return;
-    exists = true;
-    above = text[0] == '>';
-    inclusive = text.size() > 1 && text[1] == '=';
-    value = std::strtod(std::string(text.substr(inclusive ? 2 : 1)).c_str(), nullptr);
-  }
-  bool holds(double number) const {
-    constexpr double kTolerance = 1e-4;
-    if (!exists || (inclusive && std::abs(number - value) <= kTolerance * std::abs(value))) return true;
-    return above ? number > value : number < value;
-  }
-};
-
-void check_range(const Reading& reading, std::span<const double> numbers) {
-  const Bound minimum(reading.contract.minimum), maximum(reading.contract.maximum);
-  if (!minimum.exists && !maximum.exists) return;
-  for (const double number : numbers) {
-    const bool low = !minimum.holds(number);
-    if (!low && maximum.holds(number)) continue;
-    const std::string_view bound = low ? reading.contract.minimum : reading.contract.maximum;
-    reading.diagnostics.report(DiagnosticId::field_range, reading.syntax.span,
-                               fmt::format("{} is {}, but should be {}", reading.subject(), number, bound));
-    return;
+/// In the classic encodings a list has brackets unless it is one element, and a single value has none. (JSON has them around
+/// the components of one value.)
+void check_brackets(const Reading& reading, std::size_t elements) {
+  const Encoding encoding = reading.document.encoding;
+  if (encoding != Encoding::classic && encoding != Encoding::vrml2) return;
+  const bool multiple = is_multiple(reading.contract.type);
+  if (multiple && !reading.syntax.bracketed && elements > 1) {
+    reading.wrong_type(fmt::format("{} need `[` and `]` around them", counted(elements, "value")));
+  } else if (!multiple && reading.syntax.bracketed) {
+    reading.wrong_type("`[` stands here; a single value has no brackets");
   }
 }
 
-bool read_numbers(const Reading& reading, FieldValue& value) {
+bool read_numbers(Reading& reading, FieldValue& value) {
   std::optional<std::span<const double>> numbers = numbers_of(reading);
   if (!numbers || !check_count(reading, *numbers)) return false;
-  if (is_integer(reading.contract.type) && !check_whole(reading, *numbers)) return false;
-  check_range(reading, *numbers);
+  if (is_integer(reading.contract.type) && !check_integers(reading, *numbers)) return false;
+  if (const std::size_t components = component_count(reading.contract.type); components > 0) {
+    check_brackets(reading, numbers->size() / components);
+  }
+  if (const auto out = find_out_of_range(reading.contract, *numbers); out && !reading.damaged) {
+    reading.diagnostics.report(DiagnosticId::field_range, reading.place_of(out->index), out->message);
+  }
   value.numbers = *numbers;
   return true;
 }
 
-bool read_strings(const Reading& reading, FieldValue& value) {
-  const bool multiple = is_multiple(reading.contract.type);
+/// Several strings, or one, from the text of an attribute.
+std::span<const MappedText> lexical_strings(const Reading& reading) {
   const std::span<const MappedText> written = reading.document.of(reading.syntax.strings());
+  if (!is_multiple(reading.contract.type) || written.empty()) return written;  // an SFString attribute is the string itself
+  return reading.store.strings.emplace_back(read_lexical_strings(written[0], reading.diagnostics));
+}
+
+bool read_strings(Reading& reading, FieldValue& value) {
   switch (reading.syntax.kind) {
-    case ValueKind::lexical:
-      value.strings = written;  // an SFString attribute is the string itself
-      if (multiple && !written.empty()) {
-        value.strings = reading.store.strings.emplace_back(read_lexical_strings(written[0], reading.diagnostics));
-      }
-      break;
-    case ValueKind::strings: value.strings = written; break;
+    case ValueKind::lexical: value.strings = lexical_strings(reading); break;
+    case ValueKind::strings: value.strings = reading.document.of(reading.syntax.strings()); break;
     case ValueKind::empty: break;
-    default: return reading.wrong_type(fmt::format("{} stand here", describe(reading.syntax.kind)));
+    default: return reading.wrong_type(what_stands(reading.syntax) + " here");
   }
-  if (multiple || value.strings.size() == 1) return true;
-  return reading.wrong_type(fmt::format("{} strings stand here", value.strings.size()));
+  const bool fits = is_multiple(reading.contract.type) || value.strings.size() == 1;
+  if (!fits) return reading.wrong_type(fmt::format("{} here", standing(value.strings.size(), "string")));
+  check_brackets(reading, value.strings.size());
+  if (!reading.damaged) check_words(reading.contract, reading.syntax.span, value.strings, reading.diagnostics);
+  return true;
 }
 
 }  // namespace
 
-std::string_view describe(ValueKind kind) {
-  switch (kind) {
-    case ValueKind::none: return "no values";
-    case ValueKind::numbers: return "numbers";
-    case ValueKind::booleans: return "booleans";
-    case ValueKind::strings: return "strings";
-    case ValueKind::nodes: return "nodes";
-    case ValueKind::empty: return "empty brackets";
-    case ValueKind::lexical: return "attribute texts";
-    case ValueKind::is: return "`IS` statements";
+std::string what_stands(const ValueSyntax& value) {
+  switch (value.kind) {
+    case ValueKind::none: return "nothing stands";
+    case ValueKind::numbers: return standing(value.count, "number");
+    case ValueKind::booleans: return standing(value.count, "boolean");
+    case ValueKind::strings: return standing(value.count, "string");
+    case ValueKind::nodes: return value.count == 0 ? "`NULL` stands" : standing(value.count, "node");
+    case ValueKind::empty: return "an empty list stands";
+    case ValueKind::lexical: return "text stands";
+    case ValueKind::is: return "an `IS` stands";
   }
   return "";
 }
 
 bool read_value(const ValueSyntax& syntax, const Document& document, const ValueContract& contract, ValueStore& store,
                 Diagnostics& diagnostics, FieldValue& value) {
-  const Reading reading{syntax, document, contract, store, diagnostics};
+  if (syntax.kind == ValueKind::none) return false;  // the reader reported that nothing stands here
+  Reading reading{syntax, document, contract, store, diagnostics, syntax.damaged};
   value.type = contract.type;
   value.span = syntax.span;
   if (is_numeric(contract.type)) return read_numbers(reading, value);
   if (is_string(contract.type)) return read_strings(reading, value);
-  return reading.wrong_type(fmt::format("{} stand here", describe(syntax.kind)));
+  return reading.wrong_type(what_stands(syntax) + " here");
 }
 
 }  // namespace plugc

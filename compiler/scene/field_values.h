@@ -2,6 +2,7 @@
 // Values as written, read by the type of their field: numbers and strings. Nodes are the graph builder's.
 
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -19,16 +20,17 @@ struct ValueStore {
 /// What is asked of a value: its type and range, and what messages call it.
 struct ValueContract {
   FieldType type = FieldType::unknown;
-  std::string_view minimum, maximum;  ///< As in FieldInfo.
-  std::string_view field, node;       ///< "`radius` of `Sphere`".
+  const FieldInfo* info = nullptr;  ///< Range and words; null for a field that a prototype or a script declares.
+  std::string_view field, node;     ///< "`radius` of `Sphere`".
 };
 
-/// Reads `syntax` (no nodes, no IS) as the contract says. False when it has no value of that type (reported, field_type).
-/// A number out of range is reported (field_range) and kept.
+/// Reads `syntax` (no nodes, no IS) as the contract says. False when it has no value of that type (reported, field_type,
+/// unless the reader reported the mistake behind it). A number out of range (field_range) and a string that is none of the
+/// field's words (field_value) are reported and kept.
 bool read_value(const ValueSyntax& syntax, const Document& document, const ValueContract& contract, ValueStore& store,
                 Diagnostics& diagnostics, FieldValue& value);
 
-/// "a string", "numbers"...: for messages.
-std::string_view describe(ValueKind kind);
+/// "a string stands", "3 numbers stand"...: for messages.
+std::string what_stands(const ValueSyntax& value);
 
 }  // namespace plugc

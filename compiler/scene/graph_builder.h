@@ -183,6 +183,7 @@ class GraphBuilder {
   void build_interface_value(const Job& job, NodeId id, std::size_t index, const InterfaceSyntax& declared);
   void connect_field(const Job& job, NodeId id, const FieldInfo& info, const FieldSyntax& field);
   const FieldInfo* find_field(const Scope& scope, const NodeInfo& node, const FieldSyntax& field);
+  void check_connected(const FieldValue& value, const ValueContract& contract);
   void connect_interface(const Job& job, NodeId id, std::size_t index, const InterfaceSyntax& declared);
   bool read_plain(const Scope& scope, const ValueSyntax& syntax, const ValueContract& contract, FieldValue& value);
   bool holds_nodes(const ValueSyntax& value, const ValueContract& contract);

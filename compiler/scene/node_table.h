@@ -72,6 +72,7 @@ struct FieldInfo {
   std::string_view minimum;       ///< ">=0", ">0" or "".
   std::string_view maximum;
   std::string_view accepts;  ///< Node types accepted, separated by `|`; "" when any.
+  std::string_view words;    ///< Strings accepted, separated by `|`, `""` for the empty one; "" when any.
 };
 
 struct NodeInfo {

@@ -120,17 +120,16 @@ bool GraphBuilder::choose_container(Destination& to, NodeId id) {
   const NodeInfo& node = *graph_.nodes_[id.value].info;
   const Name& written = to.written->extras->container_field;
   const FieldInfo* renamed = find_field_as_written(holder, written.text, Encoding::vrml2);
-  if (!takes(find_field_info(holder, written.text)) && !written.empty()) {
-    if (takes(renamed)) {
-      report_renamed(holder, written, *renamed);
-    } else if (!is_reported(DiagnosticId::field_unknown, written.span)) {
-      report(DiagnosticId::field_unknown, written.span,
-             fmt::format("`{}` has no field `{}` for nodes{}", holder.name, written.text,
-                         suggest(written.text, node_field_names(holder))));
-    }
+  const bool is_wrong = !written.empty() && !takes(find_field_info(holder, written.text)) && !takes(renamed);
+  if (is_wrong && !is_reported(DiagnosticId::field_unknown, written.span)) {
+    report(DiagnosticId::field_unknown, written.span,
+           fmt::format("`{}` has no field `{}` for nodes{}", holder.name, written.text,
+                       suggest(written.text, node_field_names(holder))));
   }
+  if (takes(renamed) && !takes(find_field_info(holder, written.text))) report_renamed(holder, written, *renamed);
   to.field = takes(renamed) ? renamed : container_field_of(holder, node, written.text);
   if (to.field == nullptr) {
+    if (is_wrong) return false;
     report(DiagnosticId::node_misplaced, place_of(to),
            fmt::format("`{}` has no field for a `{}`; it is left out", holder.name, node.name));
     return false;

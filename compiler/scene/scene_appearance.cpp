@@ -194,10 +194,7 @@ BlendFactor read_factor(SceneContext& context, NodeId blend, std::string_view fi
                                                        "ONE_MINUS_CONSTANT_ALPHA"};
   const std::string_view name = context.graph.string(blend, field);
   const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found != kNames.end()) return static_cast<BlendFactor>(found - kNames.begin());
-  context.diagnostics.report(DiagnosticId::field_value, context.graph.field_span(blend, field),
-                             fmt::format("`{}` is no blend factor{}", name, did_you_mean(name, kNames)));
-  return fallback;
+  return found == kNames.end() ? fallback : static_cast<BlendFactor>(found - kNames.begin());
 }
 
 }  // namespace

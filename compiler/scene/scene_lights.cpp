@@ -37,8 +37,7 @@ void check_projection(SceneContext& context, const SceneLight& light) {
   const auto report = [&](std::string_view field, std::string message) {
     context.diagnostics.report(DiagnosticId::projection_invalid, graph.field_span(light.node, field), std::move(message));
   };
-  if (near < 0) report("projectionNear", fmt::format("`projectionNear` {} is negative; it is computed instead", near));
-  if (far != 0 && far <= near) {
+  if (far > 0 && far <= near) {
     report("projectionFar",
            fmt::format("`projectionFar` {} is not beyond `projectionNear` {}; it is computed instead", far, near));
   }
@@ -53,10 +52,6 @@ ShadowUpdate read_update(SceneContext& context, NodeId map) {
   const std::string_view update = context.graph.string(map, "update");
   if (update == "ALWAYS") return ShadowUpdate::always;
   if (update == "NEXT_FRAME_ONLY") return ShadowUpdate::next_frame_only;
-  if (update != "NONE") {
-    context.diagnostics.report(DiagnosticId::field_value, context.graph.field_span(map, "update"),
-                               fmt::format("`update` is `{}`; it takes `NONE`, `NEXT_FRAME_ONLY` or `ALWAYS`", update));
-  }
   return ShadowUpdate::none;
 }
 
@@ -87,7 +82,7 @@ int make_shadow_map(SceneContext& context, int light_index) {
     }
     const int size = graph.integer(written, "size");
     map.size = static_cast<std::uint32_t>(std::clamp(size, 1, static_cast<int>(kMaxShadowMapSide)));
-    if (size != static_cast<int>(map.size)) {
+    if (size > static_cast<int>(map.size)) {
       context.diagnostics.report(DiagnosticId::field_range, graph.field_span(written, "size"),
                                  fmt::format("a shadow map of size {} cannot be; {} is used", size, map.size));
     }

@@ -1,6 +1,7 @@
 // generate_node_table OUT.inc TSV...: the node tables as constexpr arrays that node_table.cpp includes.
 //
-// A table whose header starts with `abstract` gives abstract types and their bases; every other table gives one field a row.
+// A table whose header starts with `abstract` gives abstract types and their bases; one whose header starts with `enumeration`
+// the words that a string field takes, separated by `|` (`""` for the empty one); every other table gives one field a row.
 // A row without a base adds its field to a node that another table defines, or, when it names an abstract type, to every
 // node of that type. A node whose base is itself a node inherits that node's fields. `@containerField` rows give the XML
 // default. A later addition of the same field wins. Nodes, and fields inside a node, come out sorted by name, so that
@@ -17,7 +18,7 @@
 namespace {
 
 struct Field {
-  std::string type, access, value, minimum, maximum, accepts;
+  std::string type, access, value, minimum, maximum, accepts, words;
 };
 
 struct Node {
@@ -29,6 +30,7 @@ struct Tables {
   std::map<std::string, std::string> abstracts;  // name to bases
   std::map<std::string, Node> nodes;
   std::vector<std::vector<std::string>> additions;  // rows without a base
+  std::vector<std::vector<std::string>> enumerations;
 };
 
 const std::set<std::string> kWithInterface = {"ComposedShader", "Effect", "PackagedShader", "Script", "ShaderProgram"};
@@ -44,7 +46,7 @@ void set_field(Node& node, const std::vector<std::string>& row) {
   if (row[4] == "@containerField") {
     node.container_field = row[7];
   } else {
-    node.fields[row[4]] = {row[5], row[6], row[7], row[8], row[9], row[10]};
+    node.fields[row[4]] = {row[5], row[6], row[7], row[8], row[9], row[10], ""};
   }
 }
 
@@ -53,11 +55,14 @@ void read_table(const std::string& path, Tables& tables) {
   std::string line;
   std::getline(file, line);
   const bool abstract = line.rfind("abstract", 0) == 0;
+  const bool enumeration = line.rfind("enumeration", 0) == 0;
   while (std::getline(file, line)) {
     std::vector<std::string> row = split(line, '\t');
-    row.resize(abstract ? 2 : 11);
+    row.resize(abstract ? 2 : enumeration ? 3 : 11);
     if (row[0].empty()) continue;
-    if (abstract) {
+    if (enumeration) {
+      tables.enumerations.push_back(row);
+    } else if (abstract) {
       tables.abstracts[row[0]] = row[1];
     } else if (row[3].empty()) {
       tables.additions.push_back(row);
@@ -94,6 +99,24 @@ bool add_fields(Tables& tables) {
     }
     if (found) continue;
     std::fprintf(stderr, "generate_node_table: no node is a `%s`\n", row[0].c_str());
+    return false;
+  }
+  return true;
+}
+
+/// False when a row names a string field that no node of its type has.
+bool add_enumerations(Tables& tables) {
+  for (const std::vector<std::string>& row : tables.enumerations) {
+    bool found = false;
+    for (auto& [name, node] : tables.nodes) {
+      const auto field = node.fields.find(row[1]);
+      if (!is_a(tables, name, row[0]) || field == node.fields.end()) continue;
+      if (field->second.type != "SFString" && field->second.type != "MFString") continue;
+      field->second.words = row[2];
+      found = true;
+    }
+    if (found) continue;
+    std::fprintf(stderr, "generate_node_table: no `%s` has a string field `%s`\n", row[0].c_str(), row[1].c_str());
     return false;
   }
   return true;
@@ -139,7 +162,7 @@ void write_fields(std::ostream& out, const Tables& tables) {
     for (const auto& [field_name, field] : node.fields) {
       out << "    {" << quoted(field_name) << ", FieldType::" << type_name(field.type)
           << ", FieldAccess::" << access_name(field.access) << ", " << quoted(field.value) << ", " << quoted(field.minimum)
-          << ", " << quoted(field.maximum) << ", " << quoted(field.accepts) << "},\n";
+          << ", " << quoted(field.maximum) << ", " << quoted(field.accepts) << ", " << quoted(field.words) << "},\n";
     }
   }
   out << "};\n\n";
@@ -174,6 +197,7 @@ int main(int argc, char** argv) {
   for (int i = 2; i < argc; ++i) read_table(argv[i], tables);
   if (!add_fields(tables)) return 1;
   inherit_fields(tables);
+  if (!add_enumerations(tables)) return 1;
   std::ofstream out(argv[1]);
   out << "// Made by generate_node_table. Change the tables in scene/nodes, not this file.\n\n";
   write_fields(out, tables);

@@ -10,7 +10,8 @@ namespace {
 plugc::Document read_with_values(plugc::SourceId source, const plugc::SourceSet& sources, plugc::Diagnostics& diagnostics) {
   plugc::Document document = plugc::read_xml(source, sources, diagnostics);
   for (const plugc::MappedText& text : document.strings) {
-    plugc::read_lexical_numbers(text, diagnostics);
+    plugc::read_lexical_numbers(text, plugc::LexicalKind::numbers, diagnostics);
+    plugc::read_lexical_numbers(text, plugc::LexicalKind::booleans, diagnostics);
     plugc::read_lexical_strings(text, diagnostics);
   }
   return document;

@@ -28,20 +28,37 @@ std::vector<std::string> strings_of(Lexical& lexical) {
   return strings;
 }
 
+LexicalNumbers read(Lexical& lexical, LexicalKind kind = LexicalKind::numbers) {
+  return read_lexical_numbers(lexical.text, kind, lexical.diagnostics);
+}
+
 TEST(Document, ReadsNumbersOfAnAttribute) {
-  Lexical lexical(" 1,-2.5 ,, +3\n.5 0xFF true false TRUE 1e-3 ");
-  EXPECT_EQ(read_lexical_numbers(lexical.text, lexical.diagnostics), (std::vector<double>{1, -2.5, 3, .5, 255, 1, 0, 1, .001}));
+  Lexical lexical(" 1,-2.5 ,, +3\n.5 0xFF 1e-3 1e-999 ");
+  EXPECT_EQ(read(lexical).numbers, (std::vector<double>{1, -2.5, 3, .5, 255, .001, 0}));
   EXPECT_EQ(lexical.messages(), "");
 }
 
-TEST(Document, StopsAtTheFirstThingThatIsNoNumber) {
-  Lexical lexical("1 2 x3 4 y");
-  EXPECT_EQ(read_lexical_numbers(lexical.text, lexical.diagnostics), (std::vector<double>{1, 2}));
-  EXPECT_EQ(lexical.messages(), "4-6 `x3` is no number\n");
+TEST(Document, ReadsBooleansOfAnAttribute) {
+  Lexical lexical("true false,true");
+  const LexicalNumbers booleans = read(lexical, LexicalKind::booleans);
+  EXPECT_EQ(booleans.numbers, (std::vector<double>{1, 0, 1}));
+  EXPECT_FALSE(booleans.damaged);
+  Lexical odd("TRUE 1 no");
+  EXPECT_EQ(read(odd, LexicalKind::booleans).numbers, (std::vector<double>{1, 1, 0}));
+  EXPECT_EQ(odd.messages(),
+            "0-4 `TRUE` is spelled `true` here\n5-6 `1` is neither `true` nor `false`\n"
+            "7-9 `no` is neither `true` nor `false`\n");
+}
+
+TEST(Document, ReportsEachThingThatIsNoNumberAndReadsOn) {
+  Lexical lexical("1 2 x3 4 true 2.0f 1e999");
+  const LexicalNumbers numbers = read(lexical);
+  EXPECT_EQ(numbers.numbers, (std::vector<double>{1, 2, 0, 4, 0, 0, 0}));
+  EXPECT_TRUE(numbers.damaged);
+  EXPECT_EQ(lexical.messages(),
+            "4-6 `x3` is no number\n9-13 `true` is no number\n14-18 `2.0f` is no number\n"
+            "19-24 `1e999` is larger than any number that plugc reads\n");
   EXPECT_EQ(lexical.diagnostics.all()[0].id, DiagnosticId::field_type);
-  Lexical suffix("1 2.0f");
-  EXPECT_EQ(read_lexical_numbers(suffix.text, suffix.diagnostics), (std::vector<double>{1}));
-  EXPECT_EQ(suffix.messages(), "2-6 `2.0f` is no number\n");
 }
 
 TEST(Document, ReadsQuotedStringsOfAnAttribute) {
