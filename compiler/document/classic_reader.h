@@ -36,6 +36,7 @@ class ClassicReader {
   std::optional<NodeSyntax> read_node();
   void read_node_body(NodeSyntax& node, NodeExtras& extras);
   void read_body_item();
+  void skip_to_name();
   void read_field();
   void read_interface(AccessType access, bool default_allowed);
   Range<InterfaceSyntax> read_interfaces(const Name& proto, bool defaults_allowed);

@@ -353,15 +353,21 @@ void ClassicReader::read_node_body(NodeSyntax& node, NodeExtras& extras) {
   if (!scan_.take('}')) not_closed(node.type.span, fmt::format("`{}`", shown(node.type.text)));
 }
 
+/// To the next field, or to what closes the node or the list around it.
+void ClassicReader::skip_to_name() {
+  const auto ends = [&] { return scan_.next() == '}' || (scan_.next() == ']' && open_lists_ > 0); };
+  while (!scan_.at_end() && !scan_.next_is(kWordStart) && !ends()) scan_.skip_item();
+}
+
 void ClassicReader::read_body_item() {
   AccessType access{};
   if (scan_.next() == ']') {
     build_.mistake(scan_.next_span(), "`]` closes nothing here");
     stray_bracket_was_reported_ = true;
-    scan_.take(']');
+    skip_to_name();
   } else if (!scan_.next_is(kWordStart)) {
     expected("the name of a field or `}`");
-    while (!scan_.at_end() && !scan_.next_is(kWordStart) && scan_.next() != '}') scan_.skip_item();
+    skip_to_name();
   } else if (access_word_is_next(access)) {
     read_interface(access, true);
   } else if (!read_body_statement(scan_.peek_word())) {

@@ -525,6 +525,7 @@ void XmlReader::reject_text(const pugi::xml_node& text) {
   const std::string_view written = text.value();
   if (is_blank(written)) return;
   Span span = text_span(text);
+  span.end = span.begin + static_cast<std::uint32_t>(written.find_last_not_of(" \t\r\n") + 1);
   span.begin += static_cast<std::uint32_t>(written.find_first_not_of(" \t\r\n"));
   build_.mistake(span, "text stands where only elements may");
 }

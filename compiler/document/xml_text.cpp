@@ -120,7 +120,9 @@ MappedText decode_xml(const Span& span, DocumentBuilder& builder) {
   };
   for (std::size_t at = raw.find('&'); at != std::string_view::npos; at = raw.find('&', at + 1)) {
     const std::string_view window = raw.substr(at, kLongestEntity);
-    const std::string_view written = window.substr(0, window.find(';') + 1);  // empty without a semicolon
+    const std::size_t end = window.find_first_of("; \t\r\n&<", 1);
+    const bool ended = end != std::string_view::npos && window[end] == ';' && end > 1;
+    const std::string_view written = window.substr(0, ended ? end + 1 : 0);
     const Span place{span.source, span.begin + static_cast<std::uint32_t>(at),
                      span.begin + static_cast<std::uint32_t>(at + written.size())};
     const auto text = written.empty() ? std::nullopt : entity(written.substr(1, written.size() - 2));

@@ -41,7 +41,7 @@ TEST(Document, ReadsNumbersInEveryForm) {
 }
 
 TEST(Document, KeepsOneStringOnlyAsAValueWithoutBrackets) {
-  EXPECT_EQ(messages_of(classic("A { b \"x\" \"y\" c 1 }")), "2:11 3 expected the name of a field or `}`, found a string\n");
+  EXPECT_EQ(messages_of(classic("A { b \"x\" \"y\" c 1 }")), "2:11 3 several strings need `[` and `]` around them\n");
 }
 
 TEST(Document, DecodesStringsAndKeepsTheirPlaces) {
@@ -217,15 +217,14 @@ TEST(Document, ReportsOnlyTheInnermostUnclosedBracket) {
 }
 
 TEST(Document, ReportsAnUnclosedStringAtItsQuote) {
-  EXPECT_EQ(messages_of(classic("A { b \"abc }\nB { }")),
-            "2:7 1 this `\"` begins a string that is not closed\n2:1 1 `A` is not closed before the end of the file\n");
+  EXPECT_EQ(messages_of(classic("A { b \"abc }\nB { }")), "2:7 1 this `\"` begins a string that is not closed\n");
 }
 
 TEST(Document, ReportsStrayBrackets) {
   const Reading reading(classic("} ]\nA { ] [ 1 { } ] b 1 }\n5 B { }"));
   EXPECT_EQ(reading.messages(),
             "2:1 1 `}` closes nothing here\n"
-            "3:5 1 expected the name of a field or `}`, found `]`\n"
+            "3:5 1 `]` closes nothing here\n"
             "4:1 1 expected a node or a statement, found `5`\n");
 }
 

@@ -151,10 +151,10 @@ TEST(Document, KeepsWhatStoodBeforeBrokenMarkup) {
 TEST(Document, ReportsUnknownEntitiesAndKeepsThemAsWritten) {
   const Reading reading(xml("<A b='1 &nope; &amp &#0; &#xD800; & 2'/>"));
   EXPECT_EQ(reading.messages(),
-            "2:9 1 this `&` begins no entity of XML; write `&amp;`\n"
+            "2:9 6 XML has no entity `&nope;`; write `&amp;` for the character `&`\n"
             "2:16 1 this `&` begins no entity of XML; write `&amp;`\n"
-            "2:21 1 this `&` begins no entity of XML; write `&amp;`\n"
-            "2:26 1 this `&` begins no entity of XML; write `&amp;`\n"
+            "2:21 4 `&#0;` refers to no character\n"
+            "2:26 8 `&#xD800;` refers to no character\n"
             "2:35 1 this `&` begins no entity of XML; write `&amp;`\n");
   EXPECT_EQ(reading.document.strings.at(0).text(), "1 &nope; &amp &#0; &#xD800; & 2");
 }
@@ -176,10 +176,9 @@ TEST(Document, ReportsAnUnknownAccessType) {
 }
 
 TEST(Document, ReportsElementsAndTextOutOfPlace) {
-  EXPECT_EQ(messages_of("<X3D version='3.3'><Box/></X3D>"),
-            "1:21 3 expected `<head>` or `<Scene>`, found `<Box>`\n1:2 3 `<X3D>` holds no `<Scene>`\n");
-  EXPECT_EQ(messages_of("<html/>"), "1:2 4 expected `<X3D>`, found `<html>`\n");
-  EXPECT_EQ(messages_of(xml("text")), "1:27 6 text stands where only elements may\n");
+  EXPECT_EQ(messages_of("<X3D version='3.3'><Box/></X3D>"), "1:21 3 expected `<head>` or `<Scene>`, found `<Box>`\n");
+  EXPECT_EQ(messages_of("<Foo/>"), "1:2 3 expected `<X3D>`, found `<Foo>`\n");
+  EXPECT_EQ(messages_of(xml("text")), "2:1 4 text stands where only elements may\n");
   EXPECT_EQ(messages_of(xml("<Box><IS><field/></IS></Box>")), "2:11 5 expected `<connect>` inside `<IS>`\n");
 }
 

@@ -83,16 +83,17 @@ TEST(BuildGraph, ReportsValuesOfTheWrongType) {
       "EffectPart { type [ \"VERTEX\" \"FRAGMENT\" ] }\n"
       "PixelTexture { image 2 2 3 0xFF }\n");
   EXPECT_EQ(built->said(),
-            "scene.x3dv:2:12: error: `size` of `Box` takes SFVec3f, but strings stand here [field-type]\n"
+            "scene.x3dv:2:12: error: `size` of `Box` takes SFVec3f, but a string stands here [field-type]\n"
             "scene.x3dv:3:12: error: `size` of `Box` takes SFVec3f, but 2 numbers stand here instead of 3 [field-type]\n"
-            "scene.x3dv:4:13: error: `solid` of `Box` takes SFBool, but numbers stand here [field-type]\n"
-            "scene.x3dv:5:12: error: `size` of `Box` takes SFVec3f, but booleans stand here [field-type]\n"
+            "scene.x3dv:4:13: error: `solid` of `Box` takes SFBool, but a number stands here [field-type]\n"
+            "scene.x3dv:5:12: error: `size` of `Box` takes SFVec3f, but a boolean stands here [field-type]\n"
             "scene.x3dv:6:20: error: `point` of `Coordinate` takes MFVec3f, but 4 numbers are no multiple of 3 [field-type]\n"
-            "scene.x3dv:7:29: error: `coordIndex` of `IndexedFaceSet` takes MFInt32, but 1.5 is no whole number [field-type]\n"
-            "scene.x3dv:8:20: error: `appearance` of `Shape` takes SFNode, but strings stand here [field-type]\n"
+            "scene.x3dv:7:33: error: `coordIndex` of `IndexedFaceSet` takes MFInt32, but 1.5 is no whole number [field-type]\n"
+            "scene.x3dv:8:20: error: `appearance` of `Shape` takes SFNode, but a string stands here [field-type]\n"
             "scene.x3dv:9:28: error: this field takes one node; the first one counts [field-type]\n"
             "scene.x3dv:10:19: error: `type` of `EffectPart` takes SFString, but 2 strings stand here [field-type]\n"
-            "scene.x3dv:11:22: error: `image` of `PixelTexture` takes SFImage, but an image of 2 x 2 has 1 pixels here "
+            "scene.x3dv:11:22: error: `image` of `PixelTexture` takes SFImage, but an image of 2 x 2 needs 4 pixels, "
+            "and a pixel stands here "
             "[field-type]\n");
   EXPECT_FALSE(built->graph.is_written(built->root(0), "size"));
   EXPECT_EQ(built->graph.field(built->root(4), "point").numbers.size(), 3U);

@@ -134,7 +134,7 @@ TEST(Prototypes, ReportsWrongFieldsAndTypes) {
             "scene.x3dv:4:5: warning: prototype `P` has no field `radus`; did you mean `radius`? [field-unknown]\n"
             "scene.x3dv:3:19: error: prototype `P` declares no field `radios`; did you mean `radius`? [proto-unknown-field]\n"
             "scene.x3dv:3:35: error: `solid` is of type SFBool, but the prototype's `c` is of type SFColor [field-type]\n"
-            "scene.x3dv:5:12: error: `radius` of `P` takes SFFloat, but strings stand here [field-type]\n"
+            "scene.x3dv:5:12: error: `radius` of `P` takes SFFloat, but a string stands here [field-type]\n"
             "scene.x3dv:6:17: error: `IS r` stands outside a prototype's body [proto-unknown-field]\n");
 }
 
