@@ -28,9 +28,11 @@ class ClassicReader {
   void read_proto();
   void read_externproto();
   void skip_line(std::uint32_t begin);
-  void skip_words(int count);
-  void skip_unit();
-  void skip_meta();
+  void read_profile();
+  void read_component();
+  void read_unit();
+  void read_meta();
+  Name read_string_name();
 
   // Nodes and interfaces
   std::optional<NodeSyntax> read_node();

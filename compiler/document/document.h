@@ -50,10 +50,11 @@ enum class ValueKind : std::uint8_t {
 
 struct ValueSyntax {
   ValueKind kind = ValueKind::none;
-  bool bracketed = false;   ///< Written in [ ].
-  bool damaged = false;     ///< A mistake in it was reported; that it does not fit its field then is no second one.
-  Span span;                ///< The whole value.
-  std::uint32_t first = 0;  ///< What it holds, in the pool that its kind says.
+  bool bracketed = false;       ///< Written in [ ].
+  bool damaged = false;         ///< A mistake in it was reported; that it does not fit its field then is no second one.
+  std::uint8_t components = 0;  ///< Numbers in one element, where a field's type was asked for (scene/type_document.h).
+  Span span;                    ///< The whole value.
+  std::uint32_t first = 0;      ///< What it holds, in the pool that its kind says.
   std::uint32_t count = 0;
 
   bool holds_numbers() const { return kind == ValueKind::numbers || kind == ValueKind::booleans; }
@@ -98,6 +99,34 @@ struct ImportSyntax {
   Span span;
 };
 
+/// `COMPONENT Shaders:1`
+struct ComponentSyntax {
+  Name name;
+  std::uint32_t level = 1;
+  Span span;
+};
+
+/// `UNIT length inch 0.0254`
+struct UnitSyntax {
+  Name category, name;
+  double factor = 1;
+  Span span;
+};
+
+/// `META "title" "A teapot"`
+struct MetaSyntax {
+  Name name, content;
+  Span span;
+};
+
+/// What a file says of itself before its scene, each kind in the order of the text.
+struct HeadSyntax {
+  Name profile;
+  std::vector<ComponentSyntax> components;
+  std::vector<UnitSyntax> units;
+  std::vector<MetaSyntax> metas;
+};
+
 /// One statement, in the order of the text. `index` points into the pool of its kind.
 struct StatementSyntax {
   StatementKind kind = StatementKind::node;
@@ -109,22 +138,22 @@ struct NodeExtras {
   Name def;              ///< DEF name, or empty.
   Name use;              ///< USE name, or empty.
   Name container_field;  ///< XML, and JSON where it differs from the key.
-  bool is_instance = false;  ///< Written as `ProtoInstance`; the classic encoding makes no difference.
   Range<InterfaceSyntax> interface;
   Range<StatementSyntax> statements;  ///< ROUTE and PROTO inside the body.
   Range<MappedText> cdata;            ///< Code directly inside, in order: CDATA and text of XML, `#sourceCode` of JSON.
 
   bool any() const {
-    return !def.empty() || !use.empty() || !container_field.empty() || is_instance || !interface.empty() || !statements.empty() ||
+    return !def.empty() || !use.empty() || !container_field.empty() || !interface.empty() || !statements.empty() ||
            !cdata.empty();
   }
 };
 inline const NodeExtras kNoExtras;
 
 struct NodeSyntax {
-  Name type;                              ///< Empty for USE.
+  Name type;                              ///< Of a USE only where the encoding says it (XML and JSON do).
   Range<FieldSyntax> fields;              ///< In the order of the text; a name may stand twice.
   Span span;                              ///< From DEF (or the type) to the closing bracket.
+  bool is_instance = false;               ///< Written as `ProtoInstance`; the classic encoding makes no difference.
   const NodeExtras* extras = &kNoExtras;  ///< Owned by the Document; never null.
 };
 
@@ -141,6 +170,7 @@ struct Document {
   Encoding encoding = Encoding::classic;
   std::uint32_t version_major = 3;  ///< As the header says (3.2, 4.0; 2.0 for VRML).
   std::uint32_t version_minor = 0;
+  HeadSyntax head;
   Range<StatementSyntax> statements;  ///< The top level.
 
   std::vector<NodeSyntax> nodes;

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "document/characters.h"
+
 namespace plugc {
 DocumentBuilder::DocumentBuilder(SourceId source, Encoding encoding, const SourceSet& texts, Diagnostics& sink)
     : sources(texts), diagnostics(sink) {
@@ -114,6 +116,22 @@ void DocumentBuilder::add_statement(StatementKind kind, ImportSyntax import) {
   if (!admit(import.span)) return;
   statements.add({kind, static_cast<std::uint32_t>(document.imports.size())});
   document.imports.push_back(std::move(import));
+}
+
+void DocumentBuilder::add_component(const Name& name, std::string_view level, const Span& span) {
+  ComponentSyntax component{name, 1, span};
+  std::from_chars(level.data(), level.data() + level.size(), component.level);
+  if (admit(span)) document.head.components.push_back(component);
+}
+
+void DocumentBuilder::add_unit(const Name& category, const Name& name, std::string_view factor, const Span& span) {
+  UnitSyntax unit{category, name, 1, span};
+  scan_number(factor.data(), factor.data() + factor.size(), unit.factor);
+  if (admit(span)) document.head.units.push_back(unit);
+}
+
+void DocumentBuilder::add_meta(const MetaSyntax& meta) {
+  if (admit(meta.span)) document.head.metas.push_back(meta);
 }
 
 Range<MappedText> DocumentBuilder::add_string(MappedText text, const Span& place) {

@@ -90,6 +90,11 @@ class DocumentBuilder {
   void add_statement(StatementKind kind, ProtoSyntax proto);
   void add_statement(StatementKind kind, ImportSyntax import);
 
+  // What the file says of itself; the level and the factor as they are written.
+  void add_component(const Name& name, std::string_view level, const Span& span);
+  void add_unit(const Name& category, const Name& name, std::string_view factor, const Span& span);
+  void add_meta(const MetaSyntax& meta);
+
   Range<MappedText> add_string(MappedText text, const Span& place);
   /// The numbers since `first` of the pool.
   Range<double> numbers_since(std::size_t first) const;

@@ -20,6 +20,7 @@ class Dump {
 
   std::string take() && { return std::move(text_); }
   void header();
+  void head();
   void statements(Range<StatementSyntax> range);
 
  private:
@@ -73,6 +74,14 @@ std::string_view encoding_name(Encoding encoding) {
 void Dump::header() {
   text_ +=
       fmt::format("document {} {}.{}\n", encoding_name(document_.encoding), document_.version_major, document_.version_minor);
+}
+
+void Dump::head() {
+  const HeadSyntax& head = document_.head;
+  if (!head.profile.empty()) line(head.profile.span, "PROFILE {}", head.profile.text);
+  for (const ComponentSyntax& one : head.components) line(one.span, "COMPONENT {}:{}", one.name.text, one.level);
+  for (const UnitSyntax& one : head.units) line(one.span, "UNIT {} {} {}", one.category.text, one.name.text, one.factor);
+  for (const MetaSyntax& one : head.metas) line(one.span, "META {} {}", quoted(one.name.text), quoted(one.content.text));
 }
 
 void Dump::statements(Range<StatementSyntax> range) {
@@ -189,6 +198,7 @@ std::string_view to_text(AccessType access) {
 std::string dump_document(const Document& document, const SourceSet& sources) {
   Dump dump(document, sources);
   dump.header();
+  dump.head();
   dump.statements(document.statements);
   return std::move(dump).take();
 }

@@ -28,6 +28,8 @@ class JsonReader {
   // The file
   void read_file();
   void read_x3d(const Name& owner);
+  void read_head(const Name& owner);
+  void read_head_entry(const Name& owner);
   void read_statements(const Name& owner);
 
   // Keys

@@ -183,10 +183,10 @@ void ClassicReader::read_head_statement(std::string_view word) {
     build_.diagnostics.report(DiagnosticId::header_odd, scan_.next_span(),
                               fmt::format("`{}` belongs in front of the scene, behind the header", word));
   }
-  if (word == "PROFILE") return skip_words(2);
-  if (word == "COMPONENT") return skip_words(2);
-  if (word == "META") return skip_meta();
-  skip_unit();
+  if (word == "PROFILE") return read_profile();
+  if (word == "COMPONENT") return read_component();
+  if (word == "META") return read_meta();
+  read_unit();
 }
 
 /// The statements that may also stand inside a node.
@@ -211,22 +211,50 @@ void ClassicReader::skip_line(std::uint32_t begin) {
   while (scan_.offset() < end && std::string_view("[]{}").find(scan_.next()) == std::string_view::npos) scan_.skip_item();
 }
 
-void ClassicReader::skip_words(int count) {
-  for (int i = 0; i < count; ++i) expect_name("a name");
-}
-
-void ClassicReader::skip_meta() {
+void ClassicReader::read_profile() {
   scan_.take_word();
-  for (int i = 0; i < 2; ++i) {
-    if (scan_.next() != '"') return expected("a string");
-    scan_.skip_item();
-  }
+  build_.document.head.profile = expect_name("the name of a profile");
 }
 
-void ClassicReader::skip_unit() {
-  skip_words(3);
+/// `Shaders:1` is one word, because `:` may stand in names.
+void ClassicReader::read_component() {
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  Name name = expect_name("the name of a component");
+  const std::size_t colon = std::min(name.text.rfind(':'), name.text.size());
+  const std::string_view level = name.text.substr(std::min(colon + 1, name.text.size()));
+  name = {name.text.substr(0, colon), {name.span.source, name.span.begin, name.span.begin + static_cast<std::uint32_t>(colon)}};
+  if (!name.empty()) build_.add_component(name, level, scan_.span_from(begin));
+}
+
+void ClassicReader::read_unit() {
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  const Name category = expect_name("the category of a unit");
+  const Name name = expect_name("the name of a unit");
   if (!scan_.next_is(kNumberStart)) return expected("a conversion factor");
+  const std::string_view factor = build_.sources.text(scan_.next_span());
   scan_.skip_item();
+  if (!category.empty() && !name.empty()) build_.add_unit(category, name, factor, scan_.span_from(begin));
+}
+
+void ClassicReader::read_meta() {
+  MetaSyntax meta;
+  const std::uint32_t begin = scan_.offset();
+  scan_.take_word();
+  for (Name* one : {&meta.name, &meta.content}) {
+    if (scan_.next() != '"') return expected("a string");
+    *one = read_string_name();
+  }
+  meta.span = scan_.span_from(begin);
+  build_.add_meta(meta);
+}
+
+Name ClassicReader::read_string_name() {
+  const Span place = scan_.next_span();
+  MappedText text;
+  scan_.take_string(text);
+  return {build_.document.decoded_names.emplace_back(text.text()), place};
 }
 
 void ClassicReader::read_route() {
@@ -302,7 +330,9 @@ void ClassicReader::read_externproto() {
   if (scan_.next() != '"' && scan_.next() != '[') return expected("the urls of the prototype");
   const Span place = scan_.next_span();
   const ValueSyntax urls = read_value(proto.name);
-  if (urls.kind != ValueKind::strings) return build_.mistake(place, "the urls of a prototype are strings");
+  if (urls.kind != ValueKind::strings && urls.kind != ValueKind::empty) {
+    return build_.mistake(place, "the urls of a prototype are strings");
+  }
   proto.urls = urls.strings();
   proto.span = scan_.span_from(begin);
   if (!proto.name.empty()) build_.add_statement(StatementKind::externproto, proto);

@@ -4,6 +4,7 @@
 
 #include "document/json_reader.h"
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -75,13 +76,53 @@ void JsonReader::read_x3d(const Name& owner) {
     } else if (key.text == "@version") {
       const Name version = read_name(key);
       set_version(build_, version.text, version.span);
-    } else if (key.text == "head" || first_of(key) == '@') {
+    } else if (key.text == "head") {
+      read_head(key);
+    } else if (key.text == "@profile") {
+      build_.document.head.profile = read_name(key);
+    } else if (first_of(key) == '@') {
       scan_.skip_value();
     } else {
       pass_over(key, "`head` or `Scene`");
     }
   }
   if (!found) scan_.mistake(owner.span, "`X3D` holds no `Scene`");
+}
+
+/// `meta`, `component` and `unit`, each an object or a list of them.
+void JsonReader::read_head(const Name& owner) {
+  Name key;
+  JsonBracket object;
+  if (!enter(object, owner)) return;
+  while (scan_.next_member(object, key)) {
+    if (key.text == "meta" || key.text == "component" || key.text == "unit") {
+      for_each_object(key, [&] { read_head_entry(key); });
+    } else {
+      scan_.skip_value();
+    }
+  }
+}
+
+void JsonReader::read_head_entry(const Name& owner) {
+  Name name, content, category, level, factor, key;
+  JsonBracket object;
+  const std::array<NamedKey, 5> keys = {
+      {{"@name", &name}, {"@content", &content}, {"@category", &category}, {"@level", &level}, {"@conversionFactor", &factor}}};
+  if (!enter(object, owner)) return;
+  while (scan_.next_member(object, key)) {
+    const auto known = std::find_if(keys.begin(), keys.end(), [&](const NamedKey& one) { return one.key == key.text; });
+    const bool scalar = scan_.next() != '{' && scan_.next() != '[';
+    if (known == keys.end() || !scalar) {
+      scan_.skip_value();
+    } else {
+      *known->name = scan_.take_name();  // a string, or the number that a level is
+    }
+  }
+  const Span span = scan_.span_from(object.place.begin);
+  if (name.empty()) return;
+  if (owner.text == "component") build_.add_component(name, level.text, span);
+  if (owner.text == "unit") build_.add_unit(category, name, factor.text, span);
+  if (owner.text == "meta") build_.add_meta({name, content, span});
 }
 
 /// `-children` of a Scene or a ProtoBody.
@@ -380,15 +421,13 @@ NodeSyntax JsonReader::read_node(const Name& type) {
   ++depth_;
   const OpenBody body = build_.open_body();
   const std::size_t connections = connections_.open();
-  const bool is_instance = type.text == "ProtoInstance";
-  extras.is_instance = is_instance;
+  const bool is_instance = node.is_instance = type.text == "ProtoInstance";
   if (is_instance) node.type = {};
   Name key;
   JsonBracket object;
   if (enter(object, type)) {
     while (scan_.next_member(object, key)) read_node_member(key, node, extras, is_instance);
   }
-  if (!extras.use.empty()) node.type = {};
   if (is_instance && extras.use.empty()) required(node.type, type, "@name");
   std::vector<Connection> connects;
   connections_.close(connections, connects);

@@ -74,6 +74,7 @@ class XmlReader {
   std::size_t stop_of(const pugi::xml_parse_result& result) const;
   void report_markup(const pugi::xml_parse_result& result);
   void read_root(const pugi::xml_node& root);
+  void read_head(const pugi::xml_node& head);
   void read_scene(const pugi::xml_node& scene);
 
   // Places
@@ -178,6 +179,7 @@ void XmlReader::read_root(const pugi::xml_node& root) {
   }
   if (const auto version = root.attribute("version")) set_version(build_, version.value(), value_span(version));
   const std::size_t mistakes = build_.mistake_count();
+  build_.document.head.profile = optional_name(root, "profile");
   bool found = false;
   for (const auto& child : root.children()) {
     const std::string_view name = child.name();
@@ -191,11 +193,26 @@ void XmlReader::read_root(const pugi::xml_node& root) {
       read_scene(child);
     } else if (is_text(child)) {
       reject_text(child);
-    } else if (name != "head" && name != "Header") {
+    } else if (name == "head" || name == "Header") {
+      read_head(child);
+    } else {
       build_.mistake(tag_span(child), fmt::format("expected `<head>` or `<Scene>`, found `<{}>`", shown(name)));
     }
   }
   if (!found && build_.mistake_count() == mistakes) build_.mistake(tag_span(root), "`<X3D>` holds no `<Scene>`");
+}
+
+/// Other elements of a head (`<link>`, `<meta charset>`) say nothing about a scene.
+void XmlReader::read_head(const pugi::xml_node& head) {
+  for (const auto& child : head.children()) {
+    const std::string_view element = child.name();
+    const Name name = optional_name(child, "name");
+    if (name.empty()) continue;
+    if (element == "component") build_.add_component(name, child.attribute("level").value(), element_span(child));
+    if (element == "meta") build_.add_meta({name, optional_name(child, "content"), element_span(child)});
+    if (element != "unit") continue;
+    build_.add_unit(optional_name(child, "category"), name, child.attribute("conversionFactor").value(), element_span(child));
+  }
 }
 
 void XmlReader::read_scene(const pugi::xml_node& scene) {
@@ -412,7 +429,6 @@ NodeSyntax XmlReader::read_node(const pugi::xml_node& element) {
     node.type = {build_.sources.text(tag_span(element)), tag_span(element)};
     for (const auto& attribute : element.attributes()) read_node_attribute(attribute, extras);
   }
-  if (!extras.use.empty()) node.type = {};
   read_body(element);
   if (element.child("IS")) read_connections(element, body);
   build_.close_body(body, node, extras);
@@ -424,8 +440,8 @@ void XmlReader::read_instance(const pugi::xml_node& element, NodeSyntax& node, N
   extras.def = optional_name(element, "DEF");
   extras.use = optional_name(element, "USE");
   extras.container_field = optional_name(element, "containerField");
-  extras.is_instance = true;
-  if (extras.use.empty()) node.type = required_name(element, "name");
+  node.is_instance = true;
+  node.type = extras.use.empty() ? required_name(element, "name") : optional_name(element, "name");
 }
 
 void XmlReader::read_body(const pugi::xml_node& element) {

@@ -124,8 +124,8 @@ void GraphBuilder::build_node(const Job& written) {
   const Name& type = job.node->type;
   if (!job.node->extras->use.empty()) return place_use(job);
   const Encoding encoding = document(*job.scope).encoding;
-  const bool names_node = (encoding == Encoding::xml || encoding == Encoding::json) && !job.node->extras->is_instance;
-  const NodeInfo* info = job.node->extras->is_instance ? nullptr : find_node_info(type.text);
+  const bool names_node = (encoding == Encoding::xml || encoding == Encoding::json) && !job.node->is_instance;
+  const NodeInfo* info = job.node->is_instance ? nullptr : find_node_info(type.text);
   if (names_node && info != nullptr) return create_node(job, *info);
   if (Prototype* prototype = find_prototype(*job.scope, type.text)) {
     if (names_node) report_element_of_a_prototype(type);
@@ -146,12 +146,12 @@ void GraphBuilder::report_unknown_node(const Job& job) {
   const Name& type = job.node->type;
   if (is_reported(DiagnosticId::node_unknown, type.span)) return;
   std::vector<std::string_view> names;
-  if (!job.node->extras->is_instance) names = node_names();
+  if (!job.node->is_instance) names = node_names();
   for (const Scope* at = job.scope; at != nullptr; at = at->declared_in) {
     for (const auto& [name, declared] : at->prototypes) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
-  const std::string what = job.node->extras->is_instance ? fmt::format("no prototype `{}` is declared before this instance", type.text)
+  const std::string what = job.node->is_instance ? fmt::format("no prototype `{}` is declared before this instance", type.text)
                                                  : fmt::format("unknown node `{}`", type.text);
   report(DiagnosticId::node_unknown, type.span, what + suggest(type.text, names));
 }

@@ -126,9 +126,10 @@ TEST(Document, ReadsStatementsInsideNodes) {
             "  4:2 ROUTE A.b TO C.d\n");
 }
 
-TEST(Document, PassesOverStatementsAboutTheFile) {
-  EXPECT_EQ(dump_of(classic("PROFILE Immersive\nCOMPONENT Shaders:1\nMETA \"a\" \"b\"\nUNIT length inch 0.0254\nBox { }")),
-            "document classic 3.3\n6:1 Box\n");
+TEST(Document, KeepsStatementsAboutTheFile) {
+  EXPECT_EQ(dump_of(classic("PROFILE Immersive\nCOMPONENT Shaders:2\nMETA \"a\" \"b\"\nUNIT length inch 0.0254\nBox { }")),
+            "document classic 3.3\n2:9 PROFILE Immersive\n3:1 COMPONENT Shaders:2\n5:1 UNIT length inch 0.0254\n"
+            "4:1 META \"a\" \"b\"\n6:1 Box\n");
 }
 
 TEST(Document, ReadsImportsAndExports) {

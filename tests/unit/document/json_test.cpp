@@ -160,7 +160,16 @@ TEST(Document, PassesOverRemarksOfJson) {
                     "schema\":\"x\",\"head\":{\"meta\":[{}]},\n"
                     "\"Scene\":{\"#comment\":\"c\",\"-children\":[{\"#comment\":[\"a\"]},{\"Box\":{\"#comment\":\"c\",\"@"
                     "class\":\"k\"}}]}}}"),
-            "document json 3.3\n2:58 Box\n");
+            "document json 3.3\n1:48 PROFILE Full\n2:58 Box\n");
+}
+
+TEST(Document, KeepsTheHeadOfJson) {
+  EXPECT_EQ(dump_of("{\"X3D\":{\"@version\":\"3.3\",\"head\":{\"#comment\":\"c\",\n"
+                    "\"component\":[{\"@name\":\"Shaders\",\"@level\":2},{\"@name\":\"Text\",\"@level\":\"1\"}],\n"
+                    "\"unit\":{\"@category\":\"length\",\"@name\":\"inch\",\"@conversionFactor\":0.0254},\n"
+                    "\"meta\":[{\"@name\":\"a\",\"@content\":\"\\\"b\"}]},\"Scene\":{}}}"),
+            "document json 3.3\n2:14 COMPONENT Shaders:2\n2:45 COMPONENT Text:1\n3:8 UNIT length inch 0.0254\n"
+            "4:9 META \"a\" \"\\\"b\"\n");
 }
 
 // Mistakes

@@ -118,11 +118,18 @@ TEST(Document, ReadsImportsAndExportsOfXml) {
             "4:1 EXPORT b AS d\n");
 }
 
-TEST(Document, PassesOverTheHeadAndADoctype) {
-  EXPECT_EQ(dump_of("<?xml version='1.0'?>\n<!DOCTYPE X3D [ <!ENTITY a 'b'> ]>\n<X3D version='3.0' xmlns:x='y'><head><meta "
-                    "name='a' content='b'/></head>"
-                    "<Scene><Box/></Scene></X3D>"),
-            "document xml 3.0\n3:80 Box\n");
+TEST(Document, PassesOverADoctype) {
+  EXPECT_EQ(dump_of("<?xml version='1.0'?>\n<!DOCTYPE X3D [ <!ENTITY a 'b'> ]>\n<X3D version='3.0' xmlns:x='y'><Scene>"
+                    "<Box/></Scene></X3D>"),
+            "document xml 3.0\n3:39 Box\n");
+}
+
+TEST(Document, KeepsTheHeadOfXml) {
+  EXPECT_EQ(dump_of("<X3D version='3.3' profile='Immersive'>\n<head><component name='Shaders' level='2'/>\n"
+                    "<unit category='length' name='inch' conversionFactor='0.0254'/>\n<meta name='a' content='&lt;b'/>\n"
+                    "<meta charset='utf-8'/><link href='x'/></head>\n<Scene/></X3D>"),
+            "document xml 3.3\n1:29 PROFILE Immersive\n2:7 COMPONENT Shaders:2\n3:1 UNIT length inch 0.0254\n"
+            "4:1 META \"a\" \"<b\"\n");
 }
 
 TEST(Document, DecodesNames) {
