@@ -113,7 +113,7 @@ void GraphBuilder::report_renamed(const NodeInfo& node, const Name& name, const 
 
 void GraphBuilder::build_node_field(const Job& job, NodeId id, const FieldInfo& info, const FieldSyntax& field) {
   const NodeInfo& node = *graph_.nodes_[id.value].info;
-  if (!holds_nodes(field.value, {info.type, &info, info.name, node.name})) return;
+  if (!holds_nodes(*job.scope, field.value, {info.type, &info, info.name, node.name})) return;
   const std::size_t index = write_field(id, info, field.name.span);
   FieldValue& value = graph_.nodes_[id.value].fields[index].value;
   value.type = info.type;
@@ -166,7 +166,7 @@ void GraphBuilder::build_interface_value(const Job& job, NodeId id, std::size_t 
   value.span = declared.value.span;
   if (!is_node(type)) {
     if (!read_plain(*job.scope, declared.value, contract, value)) return;
-  } else if (!holds_nodes(declared.value, contract)) {
+  } else if (!holds_nodes(*job.scope, declared.value, contract)) {
     return;
   }
   InterfaceField& field = graph_.nodes_[id.value].interface[index];
@@ -236,9 +236,13 @@ bool GraphBuilder::declare_once(std::unordered_set<std::string_view>& names, con
   return false;
 }
 
-bool GraphBuilder::holds_nodes(const ValueSyntax& value, const ValueContract& contract) {
-  const bool empty_list = value.kind == ValueKind::empty && is_multiple(contract.type);
-  if (value.kind == ValueKind::nodes || empty_list) return true;
+/// XML has no words for no node; `<fieldValue name="back" value="NULL"/>` is common, and an empty text for a list.
+bool GraphBuilder::holds_nodes(const Scope& scope, const ValueSyntax& value, const ValueContract& contract) {
+  const auto text = document(scope).of(value.strings());
+  const bool lexical = value.kind == ValueKind::lexical && !text.empty();
+  const bool empty_list = value.kind == ValueKind::empty || (lexical && text[0].empty());
+  const bool null = lexical && text[0].text() == "NULL";
+  if (value.kind == ValueKind::nodes || null || (empty_list && is_multiple(contract.type))) return true;
   if (value.damaged || value.kind == ValueKind::none) return false;  // reported by the reader
   report(DiagnosticId::field_type, value.span,
          fmt::format("`{}` of `{}` takes {}, but {} here", contract.field, contract.node, to_text(contract.type),

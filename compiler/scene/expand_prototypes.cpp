@@ -232,7 +232,7 @@ void GraphBuilder::give_value(const Job& job, Instance& instance, ProtoField& fi
     field.has_value = read_plain(scope, value, contract, field.value);
     return;
   }
-  if (!holds_nodes(value, contract)) return;
+  if (!holds_nodes(scope, value, contract)) return;
   if (field.nodes == nullptr) field.nodes = &graph_.node_lists_.emplace_back();
   field.has_value = true;
   Destination to;

@@ -186,7 +186,7 @@ class GraphBuilder {
   void check_connected(const FieldValue& value, const ValueContract& contract);
   void connect_interface(const Job& job, NodeId id, std::size_t index, const InterfaceSyntax& declared);
   bool read_plain(const Scope& scope, const ValueSyntax& syntax, const ValueContract& contract, FieldValue& value);
-  bool holds_nodes(const ValueSyntax& value, const ValueContract& contract);
+  bool holds_nodes(const Scope& scope, const ValueSyntax& value, const ValueContract& contract);
   void push_nodes(const Job& job, const ValueSyntax& value, const Destination& to, Scope& scope);
   std::size_t write_field(NodeId id, const FieldInfo& info, const Span& name_span);
   NodeList* new_list(NodeId id, std::size_t index, bool interface);

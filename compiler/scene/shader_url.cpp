@@ -83,7 +83,11 @@ std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, 
     }
   }
   const auto& cdata = graph[part].cdata;
-  if (!cdata.empty()) return ShaderCode{cdata.front(), cdata.front().locate(0, cdata.front().size())};
+  if (!cdata.empty()) {
+    MappedText code;  // XML may divide a text, at a `]]>` for one
+    for (const MappedText& piece : cdata) code.append(piece);
+    return ShaderCode{code, code.locate(0, code.size())};
+  }
   for (const Diagnostic& failure : failures.all()) diagnostics.report(failure.id, failure.span, failure.message);
   if (failures.all().empty()) {
     diagnostics.report(DiagnosticId::effect_url, graph[part].type_span,

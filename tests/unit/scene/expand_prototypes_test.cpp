@@ -206,5 +206,23 @@ TEST(Prototypes, WorkInXml) {
   EXPECT_EQ(built->graph.children(built->root(), "children").size(), 2U);
 }
 
+TEST(ExpandPrototypes, XmlGivesNoNodeAsTheTextNull) {
+  const auto built = build(
+      "<X3D version='3.3'><Scene><ProtoDeclare name='P'><ProtoInterface>"
+      "<field name='one' type='SFNode' accessType='initializeOnly'><Box/></field>"
+      "<field name='kids' type='MFNode' accessType='initializeOnly'><Shape/></field></ProtoInterface><ProtoBody>\n"
+      "<Group><Shape><IS><connect nodeField='geometry' protoField='one'/></IS></Shape>"
+      "<Group><IS><connect nodeField='children' protoField='kids'/></IS></Group></Group></ProtoBody></ProtoDeclare>\n"
+      "<ProtoInstance name='P'><fieldValue name='one' value='NULL'/><fieldValue name='kids' value=''/></ProtoInstance>\n"
+      "<ProtoInstance name='P'><fieldValue name='one' value='none'/></ProtoInstance></Scene></X3D>",
+      {}, "scene.x3d");
+  EXPECT_EQ(built->said(), "scene.x3d:4:55: error: `one` of `P` takes SFNode, but attribute texts stand here [field-type]\n");
+  const NodeId group = built->root();
+  const auto children = built->graph.field(group, "children").nodes;
+  ASSERT_EQ(children.size(), 2U);
+  EXPECT_FALSE(built->graph.child(children[0], "geometry").valid());
+  EXPECT_TRUE(built->graph.field(children[1], "children").nodes.empty());
+}
+
 }  // namespace
 }  // namespace plugc
