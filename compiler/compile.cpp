@@ -8,10 +8,12 @@
 #include <fmt/format.h>
 
 #include "document/read_document.h"
+#include "document/write_document.h"
 #include "lint/lint.h"
 #include "prepare_scene.h"
 #include "scene/node_graph.h"
 #include "scene/stage.h"
+#include "scene/type_document.h"
 
 namespace plugc {
 namespace {
@@ -129,6 +131,13 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
   for (std::size_t i = 0; i < prepared.recipes.size(); ++i)
     text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i], prepared.parts.scene));
   return text;
+}
+
+std::string write_scene(const std::filesystem::path& scene, Encoding as, const CompileOptions& options, SourceSet& sources,
+                        Diagnostics& diagnostics) {
+  DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
+  const auto source = read_scene_file(scene, files, "", sources, diagnostics);
+  return source ? write_document(type_document(read_document(*source, sources, diagnostics)), as) : "";
 }
 
 }  // namespace plugc

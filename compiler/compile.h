@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "document/document.h"
 #include "package/assemble_package.h"
 #include "validate/validate.h"
 
@@ -50,5 +51,9 @@ Compilation compile(const std::vector<std::filesystem::path>& scenes, const Comp
 /// What an early phase made of a scene, as text: `document`, `scene` or `recipes`; "" for another name.
 std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options,
                        SourceSet& sources, Diagnostics& diagnostics);
+
+/// The scene's own file written again: comments are lost, prototypes and names stay. Source: document/write_document.h.
+std::string write_scene(const std::filesystem::path& scene, Encoding as, const CompileOptions& options, SourceSet& sources,
+                        Diagnostics& diagnostics);
 
 }  // namespace plugc

@@ -16,6 +16,7 @@ struct InspectOptions {
   CommonOptions common;
   std::string input;
   std::string dump;
+  std::string as;  // the encoding that the document is written in
   std::optional<std::size_t> program;
 };
 
@@ -102,7 +103,25 @@ int print_list(const Package& package) {
   return kFine;
 }
 
+Encoding encoding_named(std::string_view name) {
+  if (name == "xml") return Encoding::xml;
+  return name == "json" ? Encoding::json : Encoding::classic;
+}
+
+int print_document(const InspectOptions& options) {
+  if (options.dump != "document") {
+    fmt::print(stderr, "plugc: `--as` writes a document; add `--dump document`\n");
+    return kBrokenUse;
+  }
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  fmt::print("{}",
+             write_scene(options.input, encoding_named(options.as), compile_options(options.common), sources, diagnostics));
+  return report(diagnostics);
+}
+
 int inspect(const InspectOptions& options) {
+  if (!options.as.empty()) return print_document(options);
   Validator validator = make_validator(options.common);
   SourceSet sources;
   Diagnostics diagnostics(sources);
@@ -141,6 +160,8 @@ void add_inspect_command(CLI::App& app, int& status) {
       ->check(CLI::ExistingFile);
   verb->add_option("--dump", options->dump, "A phase as text: document, scene, recipes, programs, package")
       ->check(CLI::IsMember({"document", "scene", "recipes", "programs", "package"}));
+  verb->add_option("--as", options->as, "With `--dump document`: the scene written again, as classic, xml or json")
+      ->check(CLI::IsMember({"classic", "xml", "json"}));
   verb->add_option("--program", options->program, "One composed program: its text with the origin of every line");
   verb->add_option("--target", options->common.targets, "Dialects to compose for: glsl330, essl300, spirv")
       ->delimiter(',')

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "document/characters.h"
+#include "document/scan_number.h"
 
 namespace plugc {
 DocumentBuilder::DocumentBuilder(SourceId source, Encoding encoding, const SourceSet& texts, Diagnostics& sink)

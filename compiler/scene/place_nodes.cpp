@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
-#include "scene/event_names.h"
+#include "scene/container_field.h"
 #include "scene/graph_builder.h"
 
 namespace plugc {
@@ -19,26 +19,10 @@ namespace {
 /// Fields that name a node which lives elsewhere, even around them.
 constexpr std::array<std::string_view, 5> kReferences = {"light", "projectedLight", "projector", "receiveShadows", "viewpoint"};
 
-bool takes(const FieldInfo* field) {
-  return field != nullptr && is_node(field->type) && holds_value(field->access);
-}
-
-/// ISO/IEC 19776-1: the field that the author names, else the node's default one, else the first that takes the node.
-const FieldInfo* container_field_of(const NodeInfo& holder, const NodeInfo& node, std::string_view written) {
-  const FieldInfo* named = find_field_info(holder, written);
-  if (takes(named)) return named;
-  const FieldInfo* usual = find_field_info(holder, node.container_field);
-  if (takes(usual) && accepts(*usual, node)) return usual;
-  for (const FieldInfo& field : holder.fields) {
-    if (takes(&field) && !field.accepts.empty() && accepts(field, node)) return &field;
-  }
-  return takes(usual) ? usual : nullptr;
-}
-
 std::vector<std::string_view> node_field_names(const NodeInfo& node) {
   std::vector<std::string_view> names;
   for (const FieldInfo& field : node.fields) {
-    if (takes(&field)) names.push_back(field.name);
+    if (takes_nodes(&field)) names.push_back(field.name);
   }
   return names;
 }
@@ -120,14 +104,14 @@ bool GraphBuilder::choose_container(Destination& to, NodeId id) {
   const NodeInfo& node = *graph_.nodes_[id.value].info;
   const Name& written = to.written->extras->container_field;
   const FieldInfo* renamed = find_field_as_written(holder, written.text, Encoding::vrml2);
-  const bool is_wrong = !written.empty() && !takes(find_field_info(holder, written.text)) && !takes(renamed);
+  const bool is_wrong = !written.empty() && !takes_nodes(find_field_info(holder, written.text)) && !takes_nodes(renamed);
   if (is_wrong && !is_reported(DiagnosticId::field_unknown, written.span)) {
     report(DiagnosticId::field_unknown, written.span,
            fmt::format("`{}` has no field `{}` for nodes{}", holder.name, written.text,
                        suggest(written.text, node_field_names(holder))));
   }
-  if (takes(renamed) && !takes(find_field_info(holder, written.text))) report_renamed(holder, written, *renamed);
-  to.field = takes(renamed) ? renamed : container_field_of(holder, node, written.text);
+  if (takes_nodes(renamed) && !takes_nodes(find_field_info(holder, written.text))) report_renamed(holder, written, *renamed);
+  to.field = takes_nodes(renamed) ? renamed : container_field_of(holder, node, written.text);
   if (to.field == nullptr) {
     if (is_wrong) return false;
     report(DiagnosticId::node_misplaced, place_of(to),

@@ -190,5 +190,24 @@ TEST(CommandLine, ADamagedPackageIsRefused) {
   EXPECT_THAT(run.err, HasSubstr("damaged.plugpack: content hash differs"));
 }
 
+TEST(CommandLine, InspectWritesTheSceneInEachEncoding) {
+  const SceneFolder folder;
+  folder.write("fine.x3dv", kFine);
+  const auto written = [&](const std::string& scene, const std::string& encoding) {
+    const Ended run = run_plugc(folder, "inspect " + scene + " --dump document --as " + encoding);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return run.out;
+  };
+  const std::string classic = written("fine.x3dv", "classic");
+  EXPECT_THAT(classic, testing::StartsWith("#X3D V4.0 utf8\n"));
+  folder.write("fine.x3d", written("fine.x3dv", "xml"));
+  folder.write("fine.json", written("fine.x3d", "json"));
+  EXPECT_TRUE(Json::parse(read_file(folder.path() / "fine.json")).contains("X3D"));
+  EXPECT_EQ(written("fine.json", "classic"), classic);
+  const Ended run = run_plugc(folder, "inspect fine.x3dv --as xml");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "plugc: `--as` writes a document; add `--dump document`\n");
+}
+
 }  // namespace
 }  // namespace plugc
