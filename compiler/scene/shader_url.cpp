@@ -4,34 +4,14 @@
 
 #include "scene/shader_url.h"
 
-#include <algorithm>
-#include <array>
-
 #include <fmt/format.h>
+
+#include "base/data_url.h"
 
 namespace plugc {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\n";
-
-std::optional<std::string> base64_decode(std::string_view text) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int bit_count = 0;
-  for (const char c : text) {
-    if (c == '=' || kBlank.find(c) != std::string_view::npos) continue;
-    const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) return std::nullopt;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    bit_count += 6;
-    if (bit_count >= 8) {
-      bit_count -= 8;
-      bytes += static_cast<char>(bits >> bit_count & 0xFFU);
-    }
-  }
-  return bytes;
-}
 
 MappedText decoded_text(std::string_view bytes, const Span& span) {
   MappedText text;
@@ -54,11 +34,6 @@ std::optional<MappedText> data_url_code(const MappedText& url, const Span& span)
   MappedText code;
   code.append(url, static_cast<std::uint32_t>(comma + 1), url.size());
   return code;
-}
-
-bool is_data_url(std::string_view url) {
-  const std::size_t begin = std::min(url.find_first_not_of(kBlank), url.size());
-  return url.substr(begin).starts_with("data:");
 }
 
 }  // namespace
