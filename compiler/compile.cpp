@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "document/read_document.h"
+#include "document/read_gltf.h"
 #include "document/write_document.h"
 #include "lint/lint.h"
 #include "prepare_scene.h"
@@ -56,7 +57,7 @@ struct LoadedScene {
 LoadedScene load_scene(SourceId source, const std::filesystem::path& path, std::string_view stage,
                        const CompileOptions& options, FileAccess& files, SourceSet& sources, Diagnostics& diagnostics) {
   LoadedScene loaded;
-  Document document = read_document(source, sources, diagnostics);
+  Document document = read_document(source, path, files, sources, diagnostics);
   // from here everything that was written has a place
   loaded.graph = build_graph(std::move(document), path, sources, files, diagnostics, read_stage(stage, sources, diagnostics));
   // from here every USE is resolved, every prototype expanded, every Inline loaded, every value typed
@@ -121,7 +122,7 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
   DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
   if (stage == "document") {
     const auto source = read_scene_file(scene, files, sources, diagnostics);
-    return source ? dump_document(read_document(*source, sources, diagnostics), sources) : "";
+    return source ? dump_document(read_document(*source, scene, files, sources, diagnostics), sources) : "";
   }
   LoadedScene loaded = load_scene(scene, options, files, sources, diagnostics);
   if (stage == "scene") return dump_graph(loaded.graph, sources) + dump_scene(loaded.scene);

@@ -9,6 +9,7 @@ namespace plugc {
 inline constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;  ///< One file, read whole.
 inline constexpr std::size_t kMaxSyntaxMistakes = 100;                ///< Reported in one file; then reading it stops.
 inline constexpr std::size_t kMaxDocumentItems = 8'000'000;           ///< Nodes, fields, strings, statements of one file.
+inline constexpr std::size_t kMaxGltfValues = 4'000'000;              ///< Numbers, strings, lists, objects of glTF's JSON.
 inline constexpr std::size_t kMaxDiagnostics = 10'000;                ///< Different things said in one run.
 inline constexpr std::uint32_t kMaxNesting = 512;                     ///< Nodes inside nodes, as written.
 inline constexpr std::uint32_t kMaxInlineDepth = 32;                  ///< Inline inside Inline.

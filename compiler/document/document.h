@@ -18,7 +18,7 @@
 
 namespace plugc {
 
-enum class Encoding : std::uint8_t { classic, vrml2, xml, json };
+enum class Encoding : std::uint8_t { classic, vrml2, xml, json, gltf };
 
 /// A contiguous part of one pool of a Document.
 template <typename T>

@@ -67,6 +67,7 @@ std::string_view encoding_name(Encoding encoding) {
     case Encoding::vrml2: return "vrml";
     case Encoding::xml: return "xml";
     case Encoding::json: return "json";
+    case Encoding::gltf: return "gltf";
   }
   return "";
 }

@@ -1,23 +1,14 @@
 // Files that a file includes. Each is read once, however often it is named; an Inline builds its nodes anew each time, in a
 // scope of its own, and an EXTERNPROTO sees the file as a library: its prototypes, not its nodes.
 
-#include <algorithm>
-#include <cctype>
-
 #include <fmt/format.h>
 
 #include "base/limits.h"
-#include "document/read_document.h"
+#include "document/read_gltf.h"
 #include "scene/graph_builder.h"
 
 namespace plugc {
 namespace {
-
-bool is_gltf(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ".gltf" || extension == ".glb";
-}
 
 Span place_of(const MappedText& url, const Span& otherwise) {
   const Span span = url.empty() ? Span() : url.locate(0, url.size());
@@ -38,17 +29,12 @@ std::optional<std::uint32_t> GraphBuilder::load(std::string_view url, const std:
   if (path) {
     const auto known = loaded_.find(path->string());
     if (known != loaded_.end()) return known->second;
-    if (is_gltf(*path)) {
-      diagnostics.report(DiagnosticId::encoding_unknown, span,
-                         fmt::format("`{}` is a glTF model; plugc reads X3D and VRML 2.0", url));
-      return std::nullopt;
-    }
   }
   std::optional<std::string> bytes = read_url(files_, url, base, span, diagnostics);
   if (!bytes) return std::nullopt;
   const SourceId source = sources_.add(path->generic_string(), std::move(*bytes));
   const auto index = static_cast<std::uint32_t>(graph_.documents_.size());
-  graph_.documents_.push_back(read_document(source, sources_, diagnostics_));
+  graph_.documents_.push_back(read_document(source, *path, files_, sources_, diagnostics_));
   graph_.document_paths_.push_back(*path);
   loaded_[path->string()] = index;
   return index;

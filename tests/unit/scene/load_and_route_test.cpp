@@ -30,12 +30,24 @@ TEST(Inline, EachOneIsAFreshCopy) {
 
 TEST(Inline, ReportsWhatCannotBeReadAndGoesOn) {
   const auto built = build_classic(
-      "Inline { url \"none.x3dv\" }\nInline { url \"model.glb\" }\nInline { url \"http://example.org/a.x3d\" }\nGroup { }");
+      "Inline { url \"none.x3dv\" }\nInline { url \"none.glb\" }\nInline { url \"http://example.org/a.x3d\" }\nGroup { }");
   EXPECT_EQ(built->said(),
             "scene.x3dv:2:15: error: cannot read `none.x3dv` [file-unreadable]\n"
-            "scene.x3dv:3:15: error: `model.glb` is a glTF model; plugc reads X3D and VRML 2.0 [encoding-unknown]\n"
+            "scene.x3dv:3:15: error: cannot read `none.glb` [file-unreadable]\n"
             "scene.x3dv:4:15: error: `http://example.org/a.x3d` is no local file; plugc reads no network [file-unreadable]\n");
   EXPECT_EQ(built->graph.roots().size(), 4U);
+}
+
+TEST(Inline, TakesGltf) {
+  const auto built = build_classic("Inline { url \"model.gltf\" }",
+                                   {{"model.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"name":"A"},{"mesh":0}]})"}});
+  EXPECT_EQ(built->said(),
+            "model.gltf:1:58: error: `nodes[1].mesh`: there is no 0; `meshes` holds 0 [gltf-invalid]\n");
+  EXPECT_EQ(built->dump(),
+            "roots #0\n"
+            "#0 Inline (scene.x3dv:2:1) url \"model.gltf\"; children #1 #2\n"
+            "#1 Transform DEF A (model.gltf:1:37)\n"
+            "#2 Transform (model.gltf:1:50)\n");
 }
 
 TEST(Inline, ReportsFilesThatIncludeThemselves) {

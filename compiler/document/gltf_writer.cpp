@@ -1,0 +1,108 @@
+// A name keeps its letters; what X3D does not take in a name (part 2, 5.2: blanks, quotes, `#`, commas, dots, brackets,
+// backslashes, braces, a digit or sign in front) becomes `_`, and the second of a name is `name_2`.
+
+#include "document/gltf_writer.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace plugc {
+namespace {
+
+bool may_stand_in_name(char c) {
+  return static_cast<unsigned char>(c) > 0x20 && c != 0x7f &&
+         std::string_view("\"'#,.[]\\{}").find(c) == std::string_view::npos;
+}
+
+bool is_word_of_the_language(std::string_view name) {
+  constexpr std::array<std::string_view, 13> kWords = {"DEF",    "USE",    "IS",          "AS",   "TO",   "ROUTE", "PROTO",
+                                                       "EXPORT", "IMPORT", "EXTERNPROTO", "TRUE", "NULL", "FALSE"};
+  return std::ranges::find(kWords, name) != kWords.end();
+}
+
+std::string valid_name(std::string_view wanted) {
+  std::string name(wanted);
+  std::ranges::replace_if(
+      name, [](char c) { return !may_stand_in_name(c); }, '_');
+  const bool odd_start = !name.empty() && std::string_view("0123456789+-").find(name[0]) != std::string_view::npos;
+  return odd_start || is_word_of_the_language(name) ? "_" + name : name;
+}
+
+}  // namespace
+
+void GltfWriter::add(std::string_view field, const ValueSyntax& value, const Span& place) {
+  build_.add_field({{field, place}, value}, place);
+}
+
+void GltfWriter::numbers(std::string_view field, std::span<const double> numbers, const Span& place) {
+  std::vector<double>& pool = build_.document.numbers;
+  const std::size_t first = pool.size();
+  pool.insert(pool.end(), numbers.begin(), numbers.end());
+  ValueSyntax value;
+  value.kind = ValueKind::numbers;
+  value.span = place;
+  value.numbers = build_.numbers_since(first);
+  add(field, value, place);
+}
+
+void GltfWriter::numbers(std::string_view field, std::initializer_list<double> list, const Span& place) {
+  numbers(field, std::span<const double>(list.begin(), list.size()), place);
+}
+
+void GltfWriter::boolean(std::string_view field, bool written, const Span& place) {
+  const std::size_t first = build_.document.numbers.size();
+  build_.document.numbers.push_back(written ? 1 : 0);
+  ValueSyntax value;
+  value.kind = ValueKind::booleans;
+  value.span = place;
+  value.numbers = build_.numbers_since(first);
+  add(field, value, place);
+}
+
+void GltfWriter::string(std::string_view field, std::string_view written, const Span& place) {
+  MappedText text;
+  text.append_generated(written, place);
+  string(field, std::move(text), place);
+}
+
+void GltfWriter::string(std::string_view field, MappedText text, const Span& place) {
+  ValueSyntax value;
+  value.kind = ValueKind::strings;
+  value.span = place;
+  value.strings = build_.add_string(std::move(text), place);
+  if (!value.strings.empty()) add(field, value, place);
+}
+
+void GltfWriter::use(const Name& def, const Span& place) {
+  NodeSyntax node;
+  node.use = {def.text, place};
+  node.span = place;
+  build_.add_list_node(std::move(node));
+}
+
+Name GltfWriter::define(std::string_view wanted, std::string_view otherwise, const Span& place) {
+  std::string name = valid_name(wanted.empty() ? otherwise : wanted);
+  for (;;) {
+    std::size_t& next = names_[name];
+    if (next++ == 0) break;
+    std::string numbered = fmt::format("{}_{}", name, next);
+    if (!names_.contains(numbered)) {
+      names_[numbered] = 1;
+      name = std::move(numbered);
+      break;
+    }
+  }
+  return {build_.document.decoded_names.emplace_back(std::move(name)), place};
+}
+
+void GltfWriter::end_document(std::size_t mark) {
+  std::vector<NodeSyntax> roots(std::make_move_iterator(build_.nodes.begin(mark)), std::make_move_iterator(build_.nodes.end()));
+  build_.nodes.close(mark, build_.document.nodes);
+  const std::size_t statements = build_.statements.open();
+  for (NodeSyntax& root : roots) build_.add_statement(std::move(root));
+  build_.document.statements = build_.statements.close(statements, build_.document.statement_pool);
+}
+
+}  // namespace plugc
