@@ -43,7 +43,7 @@ void GltfWriter::numbers(std::string_view field, std::span<const double> numbers
   ValueSyntax value;
   value.kind = ValueKind::numbers;
   value.span = place;
-  value.numbers = build_.numbers_since(first);
+  value.hold(build_.numbers_since(first));
   add(field, value, place);
 }
 
@@ -57,7 +57,7 @@ void GltfWriter::boolean(std::string_view field, bool written, const Span& place
   ValueSyntax value;
   value.kind = ValueKind::booleans;
   value.span = place;
-  value.numbers = build_.numbers_since(first);
+  value.hold(build_.numbers_since(first));
   add(field, value, place);
 }
 
@@ -71,15 +71,17 @@ void GltfWriter::string(std::string_view field, MappedText text, const Span& pla
   ValueSyntax value;
   value.kind = ValueKind::strings;
   value.span = place;
-  value.strings = build_.add_string(std::move(text), place);
-  if (!value.strings.empty()) add(field, value, place);
+  value.hold(build_.add_string(std::move(text), place));
+  if (value.count != 0) add(field, value, place);
 }
 
 void GltfWriter::use(const Name& def, const Span& place) {
   NodeSyntax node;
-  node.use = {def.text, place};
+  NodeExtras extras;
+  extras.use = {def.text, place};
   node.span = place;
-  build_.add_list_node(std::move(node));
+  build_.give(node, extras);
+  build_.add_list_node(node);
 }
 
 Name GltfWriter::define(std::string_view wanted, std::string_view otherwise, const Span& place) {
@@ -98,10 +100,10 @@ Name GltfWriter::define(std::string_view wanted, std::string_view otherwise, con
 }
 
 void GltfWriter::end_document(std::size_t mark) {
-  std::vector<NodeSyntax> roots(std::make_move_iterator(build_.nodes.begin(mark)), std::make_move_iterator(build_.nodes.end()));
-  build_.nodes.close(mark, build_.document.nodes);
+  std::vector<NodeSyntax> roots;
+  build_.nodes.close(mark, roots);
   const std::size_t statements = build_.statements.open();
-  for (NodeSyntax& root : roots) build_.add_statement(std::move(root));
+  for (const NodeSyntax& root : roots) build_.add_statement(root);
   build_.document.statements = build_.statements.close(statements, build_.document.statement_pool);
 }
 

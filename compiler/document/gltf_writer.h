@@ -30,8 +30,8 @@ class GltfWriter {
     ValueSyntax value;
     value.kind = ValueKind::nodes;
     value.span = place;
-    value.nodes = build_.nodes.close(mark, build_.document.nodes);
-    if (!value.nodes.empty()) add(field, value, place);
+    value.hold(build_.nodes.close(mark, build_.document.nodes));
+    if (value.count != 0) add(field, value, place);
   }
 
   /// A node whose fields `fill` writes.
@@ -39,12 +39,13 @@ class GltfWriter {
   void node(std::string_view type, const Name& def, const Span& place, Fill fill) {
     NodeSyntax node;
     node.type = {type, place};
-    node.def = def;
     node.span = place;
+    NodeExtras extras;
+    extras.def = def;
     const OpenBody body = build_.open_body();
     fill();
-    build_.close_body(body, node);
-    build_.add_list_node(std::move(node));
+    build_.close_body(body, node, extras);
+    build_.add_list_node(node);
   }
   void use(const Name& def, const Span& place);
 

@@ -18,7 +18,7 @@ std::shared_ptr<const Image> shared(std::optional<Image> image) {
 }
 
 std::shared_ptr<const Image> load_data_url(const MappedText& url, const Span& span, Diagnostics& diagnostics) {
-  const std::string start = url.text().substr(0, std::min<std::size_t>(url.text().find(','), 64));
+  const std::string_view start = url.text().substr(0, std::min<std::size_t>(url.text().find(','), 64));
   if (const auto bytes = data_url_bytes(url.text())) return shared(decode_image(*bytes, start, span, diagnostics));
   diagnostics.report(DiagnosticId::image_invalid, span,
                      "this `data:` url holds no readable image; write `data:image/png;base64,` and the file in base64");

@@ -258,7 +258,7 @@ std::pair<double, double> moved(const GltfReading& reading, double s, double t) 
   for (const NodeSyntax& node : reading.document.nodes) {
     if (node.type.text != "TextureTransform") continue;
     for (const FieldSyntax& field : reading.document.of(node.fields)) {
-      const auto numbers = reading.document.of(field.value.numbers);
+      const auto numbers = reading.document.of(field.value.numbers());
       fields[field.name.text].assign(numbers.begin(), numbers.end());
     }
   }
