@@ -1,9 +1,12 @@
 // Files that a file includes. Each is read once, however often it is named; an Inline builds its nodes anew each time, in a
 // scope of its own, and an EXTERNPROTO sees the file as a library: its prototypes, not its nodes.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "document/read_document.h"
 #include "document/read_gltf.h"
 #include "scene/graph_builder.h"
 

@@ -11,6 +11,7 @@
 
 #include "base/limits.h"
 #include "scene/container_field.h"
+#include "scene/event_names.h"
 #include "scene/graph_builder.h"
 
 namespace plugc {

@@ -31,10 +31,9 @@ bool read_numbers(Document& document, ValueSyntax& value, ValueKind kind) {
   const SourceSet no_sources;
   Diagnostics mistakes(no_sources);
   const MappedText text = document.of(value.strings()).front();
-  const std::vector<double> numbers = read_lexical_numbers(text, mistakes);
-  const auto is_truth = [](double number) { return number == 0 || number == 1; };
-  if (!mistakes.all().empty() || numbers.empty()) return false;
-  if (kind == ValueKind::booleans && !std::all_of(numbers.begin(), numbers.end(), is_truth)) return false;
+  const LexicalKind words = kind == ValueKind::booleans ? LexicalKind::booleans : LexicalKind::numbers;
+  const auto [numbers, damaged] = read_lexical_numbers(text, words, mistakes);
+  if (damaged || !mistakes.all().empty() || numbers.empty()) return false;
   value.kind = kind;
   value.hold(Range<double>{static_cast<std::uint32_t>(document.numbers.size()), static_cast<std::uint32_t>(numbers.size())});
   document.numbers.insert(document.numbers.end(), numbers.begin(), numbers.end());
