@@ -137,8 +137,8 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
 std::string write_scene(const std::filesystem::path& scene, Encoding as, const CompileOptions& options, SourceSet& sources,
                         Diagnostics& diagnostics) {
   DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
-  const auto source = read_scene_file(scene, files, "", sources, diagnostics);
-  return source ? write_document(type_document(read_document(*source, sources, diagnostics)), as) : "";
+  const auto source = read_scene_file(scene, files, sources, diagnostics);
+  return source ? write_document(type_document(read_document(*source, scene, files, sources, diagnostics)), as) : "";
 }
 
 }  // namespace plugc
