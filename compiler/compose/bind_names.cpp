@@ -19,6 +19,12 @@ struct Definition {
   const FunctionOutline* function = nullptr;
 };
 
+/// The first declaration of a variable that stages share.
+struct Linked {
+  const PlacedUnit* unit = nullptr;
+  const GlobalOutline* global = nullptr;
+};
+
 class NameBinder {
  public:
   explicit NameBinder(Composition& composition) : c_(composition) {}
@@ -26,20 +32,50 @@ class NameBinder {
 
  private:
   void index_unit(const PlacedUnit& unit);
+  void compare_stages(const PlacedUnit& unit);
   void bind_unit(const PlacedUnit& unit);
+  void borrow_name(const PlacedUnit& unit, std::string_view name, std::size_t other);
+  void step_aside(const PlacedUnit& unit, std::string_view name);
   void bind_function(const PlacedUnit& unit, const FunctionOutline& prototype);
   void bind_input(const PlacedUnit& unit, const GlobalOutline& input);
   void check_castle_inputs(const PlacedUnit& unit);
-  void report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin, std::string message);
+  std::set<std::size_t> one_for_each_author(const std::set<std::size_t>& owners) const;
+  void report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin, std::string message,
+              std::vector<RelatedPlace> related = {});
   void list_fields(const PlacedUnit& unit);
   FieldUniform field_uniform(const PlacedUnit& unit, const GlobalOutline& uniform) const;
 
   Composition& c_;
   std::map<std::pair<ShaderStage, std::string_view>, std::vector<Definition>> functions_;
-  std::map<std::string_view, std::set<std::size_t>> outputs_;  // of the vertex stage: name -> owners
-  std::set<std::string_view> written_;                         // castle_ names that the vertex stage uses
+  std::map<std::string_view, std::map<std::size_t, const GlobalOutline*>> outputs_;  // of the vertex stage: name -> by owner
+  std::map<std::pair<std::size_t, std::string_view>, Linked> linked_;
+  std::vector<std::pair<const PlacedUnit*, std::string_view>> idle_;  // functions that are declared, and no more
+  std::set<std::string_view> written_;                                // castle_ names that the vertex stage uses
   std::set<std::string> listed_;
 };
+
+bool directive_names(const CodeUnit& code, const Token& directive, std::string_view name) {
+  if (code.at(directive).find(name) == std::string_view::npos) return false;
+  const std::vector<Token> words = directive_tokens(code.text.text(), directive);
+  return std::any_of(words.begin(), words.end(), [&](const Token& word) { return code.at(word) == name; });
+}
+
+/// Whether the name stands anywhere in the unit but at `declared_at`.
+bool is_used(const CodeUnit& code, std::string_view name, const std::set<std::uint32_t>& declared_at) {
+  return std::any_of(code.tokens.tokens.begin(), code.tokens.tokens.end(), [&](const Token& token) {
+    if (token.kind == TokenKind::directive) return directive_names(code, token, name);
+    return token.kind == TokenKind::identifier && code.at(token) == name && !declared_at.contains(token.begin);
+  });
+}
+
+/// Whether a macro of the unit may define functions that no outline shows: one that opens a body does.
+bool macros_define_functions(const CodeUnit& code) {
+  const auto& macros = code.outline.macros;
+  return std::any_of(macros.begin(), macros.end(), [&](const MacroOutline& macro) {
+    return std::string_view(code.text.text()).substr(macro.body_begin, macro.end - macro.body_begin).find('{') !=
+           std::string_view::npos;
+  });
+}
 
 void NameBinder::index_unit(const PlacedUnit& unit) {
   for (const FunctionOutline& function : unit.code->outline.functions) {
@@ -47,17 +83,10 @@ void NameBinder::index_unit(const PlacedUnit& unit) {
   }
   if (unit.stage != ShaderStage::vertex) return;
   for (const GlobalOutline& global : unit.code->outline.globals) {
-    if (global.storage == Storage::out) outputs_[global.name].insert(unit.owner);
+    const bool written = global.storage == Storage::out && is_used(*unit.code, global.name, {global.name_begin});
+    if (written) outputs_[global.name].try_emplace(unit.owner, &global);
   }
   written_.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
-}
-
-/// Whether the name stands anywhere in the unit but at `declared_at`.
-bool is_used(const CodeUnit& code, std::string_view name, const std::set<std::uint32_t>& declared_at) {
-  return std::any_of(code.tokens.tokens.begin(), code.tokens.tokens.end(), [&](const Token& token) {
-    if (token.kind == TokenKind::directive) return code.at(token).find(name) != std::string_view::npos;
-    return token.kind == TokenKind::identifier && code.at(token) == name && !declared_at.contains(token.begin);
-  });
 }
 
 bool same_parameters(const FunctionOutline& a, const FunctionOutline& b) {
@@ -66,9 +95,53 @@ bool same_parameters(const FunctionOutline& a, const FunctionOutline& b) {
 }
 
 void NameBinder::report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin,
-                        std::string message) {
-  c_.diagnostics.report(id, name_span(*unit.code, name, begin), std::move(message));
+                        std::string message, std::vector<RelatedPlace> related) {
+  c_.diagnostics.report(id, name_span(*unit.code, name, begin), std::move(message), std::move(related));
   c_.mark_faulty(unit);
+}
+
+/// An effect that acts in several places, on two lights or in two lists, is an owner in each, and one candidate.
+std::set<std::size_t> NameBinder::one_for_each_author(const std::set<std::size_t>& owners) const {
+  std::set<std::pair<OwnerKind, int>> known;
+  std::set<std::size_t> kept;
+  for (const std::size_t owner : owners) {
+    if (known.insert({c_.owners[owner].kind, c_.owners[owner].index}).second) kept.insert(owner);
+  }
+  return kept;
+}
+
+/// Within a stage, unequal declarations are found where they are written. A uniform of both stages, and what one stage hands
+/// to the other, are compared here: else only the linker would see them, without a place.
+void NameBinder::compare_stages(const PlacedUnit& unit) {
+  if (unit.stage == ShaderStage::geometry) return;
+  for (const GlobalOutline& global : unit.code->outline.globals) {
+    const bool handed_over = global.storage == (unit.stage == ShaderStage::vertex ? Storage::out : Storage::in);
+    if ((global.storage != Storage::uniform && !handed_over) || global.name.starts_with("castle_")) continue;
+    const Linked& first = linked_.try_emplace({unit.owner, global.name}, Linked{&unit, &global}).first->second;
+    const bool equal = first.global->type == global.type && first.global->array == global.array;
+    if (equal || first.unit->stage == unit.stage) continue;
+    report(DiagnosticId::unequal_declarations, unit, global.name, global.name_begin,
+           fmt::format("`{}` is declared here as `{}{}`, and differently in the {} stage", global.name, global.type,
+                       global.array, to_text(first.unit->stage)),
+           {{name_span(*first.unit->code, first.global->name, first.global->name_begin), "the other declaration"}});
+  }
+}
+
+/// In this stage the name is the other owner's; what the owner means by it in another stage stays its own.
+void NameBinder::borrow_name(const PlacedUnit& unit, std::string_view name, std::size_t other) {
+  const Owner::Renames& theirs = c_.owners[other].renames;
+  const auto renamed = theirs.find(name);
+  std::string final_name(renamed == theirs.end() ? name : std::string_view(renamed->second));
+  c_.owners[unit.owner].borrowed[static_cast<std::size_t>(unit.stage)].insert_or_assign(std::string(name),
+                                                                                        std::move(final_name));
+}
+
+/// A function that nobody defines and nobody calls must not meet another owner's name either, unless an overload of it has
+/// been found there.
+void NameBinder::step_aside(const PlacedUnit& unit, std::string_view name) {
+  auto& borrowed = c_.owners[unit.owner].borrowed[static_cast<std::size_t>(unit.stage)];
+  if (borrowed.contains(name) || c_.taken.is_free(c_.final_name(unit, name), in_stage(unit.stage), unit.owner)) return;
+  borrowed.insert_or_assign(std::string(name), c_.taken.new_name(std::string(name), unit.owner, c_.units));
 }
 
 void NameBinder::bind_function(const PlacedUnit& unit, const FunctionOutline& prototype) {
@@ -77,36 +150,35 @@ void NameBinder::bind_function(const PlacedUnit& unit, const FunctionOutline& pr
     if (same_parameters(*definition.function, prototype)) candidates.insert(definition.owner);
   }
   if (candidates.contains(unit.owner)) return;
+  candidates = one_for_each_author(candidates);
   if (candidates.size() > 1) {
     return report(DiagnosticId::ambiguous_function, unit, prototype.name, prototype.name_begin,
                   fmt::format("`{}` is declared here and defined by {} other effects; define it in one, or in this one",
                               prototype.name, candidates.size()));
   }
   if (candidates.size() == 1) {
-    std::string name = std::string(prototype.name);
-    const Owner& other = c_.owners[*candidates.begin()];
-    if (const auto renamed = other.renames.find(name); renamed != other.renames.end()) name = renamed->second;
-    auto& renames = c_.owners[unit.owner].renames;
-    if (name != prototype.name || renames.contains(prototype.name)) renames.insert_or_assign(std::string(prototype.name), name);
+    return borrow_name(unit, prototype.name, *candidates.begin());
+  }
+  if (macros_define_functions(*unit.code)) return;
+  if (!is_used(*unit.code, prototype.name, {prototype.name_begin})) {
+    idle_.emplace_back(&unit, prototype.name);
     return;
   }
-  const bool in_macro = !unit.code->outline.macros.empty();  // a macro may define functions that no outline shows
-  if (in_macro || !is_used(*unit.code, prototype.name, {prototype.name_begin})) return;
   report(DiagnosticId::shader_invalid, unit, prototype.name, prototype.name_begin,
          fmt::format("`{}` is declared and called, but nothing defines it in the {} stage of this shape", prototype.name,
                      to_text(unit.stage)));
 }
 
 void NameBinder::bind_input(const PlacedUnit& unit, const GlobalOutline& input) {
-  const auto found = outputs_.find(input.name);
-  const std::set<std::size_t> candidates = found == outputs_.end() ? std::set<std::size_t>() : found->second;
-  if (candidates.contains(unit.owner) || !is_used(*unit.code, input.name, {input.name_begin})) return;
+  const auto& outputs = outputs_[input.name];
+  if (outputs.contains(unit.owner) || !is_used(*unit.code, input.name, {input.name_begin})) return;
+  std::set<std::size_t> candidates;
+  for (const auto& [owner, output] : outputs) {
+    if (output->type == input.type && output->array == input.array) candidates.insert(owner);
+  }
+  candidates = one_for_each_author(candidates);
   if (candidates.size() == 1) {
-    const Owner& other = c_.owners[*candidates.begin()];
-    const auto renamed = other.renames.find(input.name);
-    std::string name(renamed == other.renames.end() ? input.name : std::string_view(renamed->second));
-    c_.owners[unit.owner].renames.insert_or_assign(std::string(input.name), std::move(name));
-    return;
+    return borrow_name(unit, input.name, *candidates.begin());
   }
   const std::string message =
       candidates.empty()
@@ -188,7 +260,9 @@ void NameBinder::run() {
   };
   if (c_.owners.size() == 1) return;
   each_unit(false, &NameBinder::index_unit);
+  each_unit(true, &NameBinder::compare_stages);
   each_unit(true, &NameBinder::bind_unit);
+  for (const auto& [unit, name] : idle_) step_aside(*unit, name);
   each_unit(true, &NameBinder::list_fields);
 }
 

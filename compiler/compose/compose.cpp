@@ -20,6 +20,8 @@ void Composition::mark_faulty(const PlacedUnit& unit) {
 
 std::string Composition::final_name(const PlacedUnit& unit, std::string_view name) const {
   const Owner& owner = owners[unit.owner];
+  const Owner::Renames& borrowed = owner.borrowed[static_cast<std::size_t>(unit.stage)];
+  if (const auto found = borrowed.find(name); found != borrowed.end()) return found->second;
   if (const auto found = owner.renames.find(name); found != owner.renames.end()) return found->second;
   if (unit.scope.kind == ScopeKind::light && owner.kind == OwnerKind::effect) {
     if (std::string numbered = number_own_light(name, unit.scope.number); !numbered.empty()) return numbered;

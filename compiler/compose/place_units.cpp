@@ -118,7 +118,7 @@ bool Placer::place_shader() {
     c_.result.faulty_shader = true;
     return false;
   }
-  c_.owners.push_back({OwnerKind::shader, recipe_.shader, {}});
+  c_.owners.push_back({OwnerKind::shader, recipe_.shader, {}, {}});
   place_code(code, c_.owners.size() - 1, {});
   return true;
 }
@@ -189,7 +189,7 @@ void Placer::place_code(const EffectCode& code, std::size_t owner, PlugScope sco
 
 void Placer::place_effects(const std::vector<int>& effects, PlugScope scope) {
   for (const int effect : effects) {
-    c_.owners.push_back({OwnerKind::effect, effect, {}});
+    c_.owners.push_back({OwnerKind::effect, effect, {}, {}});
     place_code(c_.input.effects[static_cast<std::size_t>(effect)], c_.owners.size() - 1, scope);
   }
 }

@@ -28,7 +28,11 @@ struct PlugScope {
 struct Owner {
   OwnerKind kind = OwnerKind::renderer;
   int index = -1;  ///< Into Scene::effects or Scene::shaders.
-  std::map<std::string, std::string, std::less<>> renames;
+  using Renames = std::map<std::string, std::string, std::less<>>;
+  Renames renames;
+  /// Names of other owners for what a stage of this one only declares; they come before `renames`.
+  std::array<Renames, kStageCount> borrowed;
+  bool keeps_names_in(ShaderStage stage) const { return renames.empty() && borrowed[static_cast<std::size_t>(stage)].empty(); }
 };
 
 /// A call that a marker gets: which plug function of which unit.

@@ -40,6 +40,7 @@ class PlugResolver {
   CallResult add_call(std::size_t unit, std::size_t function, const MarkerPlace& place);
   void report_unreached(const PlacedUnit& unit, const FunctionOutline& function);
   void report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
+  const MarkerPlace* find_offer(std::string_view name, ShaderStage stage, bool in_stage) const;
   void report_unknown(const PlacedUnit& unit, const FunctionOutline& function);
   void report_misfit(const PlacedUnit& unit, const FunctionOutline& function, const MarkerPlace& place);
   void give_name(PlacedUnit& unit, std::size_t function);
@@ -156,20 +157,27 @@ CallResult PlugResolver::call_at(std::size_t index, std::size_t f, const MarkerP
   return CallResult::misfit;
 }
 
+/// A marker of the name, in the stage or out of it; null when there is none.
+const MarkerPlace* PlugResolver::find_offer(std::string_view name, ShaderStage stage, bool in_stage) const {
+  for (const auto& [key, places] : markers_) {
+    if (key.second == name && (key.first == stage) == in_stage) return &places.front();
+  }
+  return nullptr;
+}
+
 void PlugResolver::report_unknown(const PlacedUnit& unit, const FunctionOutline& function) {
   const std::string_view name = plug_name(function.name);
-  for (const PlacedUnit& other : c_.units) {
-    for (const MarkerOutline& marker : other.code->outline.markers) {
-      if (marker.kind != MarkerKind::plug || marker.name != name || !is_in_function(marker)) continue;
-      const bool later = other.stage == unit.stage;
-      return report(
-          later ? DiagnosticId::effect_unknown_plug : DiagnosticId::effect_wrong_stage, unit, function,
-          later
-              ? fmt::format("plug `{}` is offered only behind this function; a plug of an effect serves what comes later", name)
-              : fmt::format("plug `{}` is called in the {} stage, not in the {} stage", name, to_text(other.stage),
-                            to_text(unit.stage)),
-          {{other.code->span(marker.begin, marker.end), "the plug stands here"}});
-    }
+  if (const MarkerPlace* later = find_offer(name, unit.stage, true)) {
+    return report(
+        DiagnosticId::effect_unknown_plug, unit, function,
+        fmt::format("plug `{}` is offered only behind this function; a plug of an effect serves what comes later", name),
+        {{marker_span(*later), "the plug stands here"}});
+  }
+  if (const MarkerPlace* elsewhere = find_offer(name, unit.stage, false)) {
+    return report(DiagnosticId::effect_wrong_stage, unit, function,
+                  fmt::format("plug `{}` is called in the {} stage, not in the {} stage", name,
+                              to_text(c_.units[elsewhere->unit].stage), to_text(unit.stage)),
+                  {{marker_span(*elsewhere), "the plug stands here"}});
   }
   std::vector<std::string_view> known(plug_names().begin(), plug_names().end());
   for (const auto& [key, places] : markers_) known.push_back(key.second);

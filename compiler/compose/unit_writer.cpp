@@ -24,7 +24,7 @@ class UnitWriter {
         code_(*unit.code),
         text_(unit.code->text.text()),
         declared_(declared),
-        no_name_changes_(composition.owners[unit.owner].renames.empty() &&
+        no_name_changes_(composition.owners[unit.owner].keeps_names_in(unit.stage) &&
                          (unit.scope.kind != ScopeKind::light || composition.owners[unit.owner].kind != OwnerKind::effect)) {}
 
   MappedText write();
