@@ -49,6 +49,11 @@ void main_texture_apply(inout vec4 fragment_color, const in vec3 normal_eye)
 vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 {
   MaterialInfo material;
+  material.diffuse_alpha = castle_MaterialDiffuseAlpha;
+#ifdef COLOR_PER_VERTEX
+  material.diffuse_alpha = castle_ColorPerVertexFragment * vec4(1.0, 1.0, 1.0, material.diffuse_alpha.a);
+#endif
+  main_texture_apply(material.diffuse_alpha, normal_eye);
 #ifdef AMBIENT
   material.ambient = castle_MaterialAmbient;
 #else
@@ -64,11 +69,6 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 #endif
   /* PLUG: material_specular (material.specular) */
   /* PLUG: material_shininess (material.shininess) */
-  material.diffuse_alpha = castle_MaterialDiffuseAlpha;
-#ifdef COLOR_PER_VERTEX
-  material.diffuse_alpha = castle_ColorPerVertexFragment * vec4(1.0, 1.0, 1.0, material.diffuse_alpha.a);
-#endif
-  main_texture_apply(material.diffuse_alpha, normal_eye);
 
 #ifdef AMBIENT
   vec4 result = vec4(material.ambient * castle_GlobalAmbient, material.diffuse_alpha.a);
