@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/clean_text.h"
 #include "document/read_document.h"
 #include "document/read_gltf.h"
 #include "document/write_document.h"
@@ -37,8 +38,8 @@ class PhaseTimer {
 std::optional<SourceId> read_scene_file(const std::filesystem::path& path, FileAccess& files, SourceSet& sources,
                                         Diagnostics& diagnostics) {
   FileContent content = files.read(path);
-  if (content.status == FileStatus::ok) return sources.add(path.string(), std::move(content.bytes));
-  diagnostics.report(DiagnosticId::file_unreadable, {}, fmt::format("cannot read `{}`", path.string()));
+  if (content.status == FileStatus::ok) return add_clean_text(sources, path.string(), std::move(content.bytes), diagnostics);
+  report_unreadable(content.status, path.string(), {}, diagnostics);
   return std::nullopt;
 }
 

@@ -27,20 +27,53 @@ bool is_control(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
 }
 
+/// Whether a character goes on in this byte of UTF-8.
+bool continues_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+std::size_t character_start(std::string_view text, std::size_t at) {
+  while (at > 0 && at < text.size() && continues_character(text[at])) --at;
+  return at;
+}
+
+std::uint32_t count_characters(std::string_view text) {
+  return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
+}
+
+/// The part of a line that is shown: all of it, or of a very long one what stands around `at`.
+struct Excerpt {
+  std::size_t begin = 0, end = 0;
+};
+Excerpt shown_part(std::string_view line, std::size_t at) {
+  constexpr std::size_t kBefore = 60;
+  if (line.size() <= kMaxShownLine) return {line.starts_with("\xEF\xBB\xBF") ? std::size_t{3} : 0, line.size()};
+  const std::size_t begin = character_start(line, at > kBefore ? at - kBefore : 0);
+  return {begin, character_start(line, std::min(begin + kMaxShownLine, line.size()))};
+}
+
 /// The line with control characters (a tab, an escape sequence) as single spaces, and a caret line of equal columns.
 std::string excerpt(const Span& span, const SourceSet& sources) {
   const std::string_view line = sources.line_at(span.source, span.begin);
-  if (line.size() > kMaxShownLine) return "";
-  const auto column = sources.position(span.source, span.begin).column;
-  const auto line_begin = static_cast<std::uint32_t>(line.data() - sources.text(span.source).data());
-  const std::uint32_t shown_end = std::min(span.end, line_begin + static_cast<std::uint32_t>(line.size()));
-  std::uint32_t width = 0;
-  for (std::uint32_t i = span.begin; i < shown_end; ++i) {
-    if ((static_cast<unsigned char>(line[i - line_begin]) & 0xC0U) != 0x80U) ++width;
-  }
-  std::string shown(line.substr(line.starts_with("\xEF\xBB\xBF") ? 3 : 0));
+  const std::size_t line_begin = static_cast<std::size_t>(line.data() - sources.text(span.source).data());
+  const std::size_t at = std::min<std::size_t>(span.begin - line_begin, line.size());
+  const auto [begin, end] = shown_part(line, at);
+  const std::string_view before = begin > 3 ? "..." : "", behind = end < line.size() ? "..." : "";
+  const std::size_t mark_end = std::clamp<std::size_t>(span.end - std::min<std::size_t>(span.end, line_begin), at, end);
+  const std::uint32_t column = count_characters(line.substr(begin, at - std::min(begin, at)));
+  const std::uint32_t width = std::max(count_characters(line.substr(at, mark_end - at)), 1U);
+  std::string shown(line.substr(begin, end - begin));
   std::replace_if(shown.begin(), shown.end(), is_control, ' ');
-  return fmt::format("  {}\n  {:>{}}{}\n", shown, "^", column, std::string(width > 1 ? width - 1 : 0, '~'));
+  return fmt::format("  {}{}{}\n  {:{}}^{}\n", before, shown, behind, "", before.size() + column, std::string(width - 1, '~'));
+}
+
+/// One line, not too long, whatever the input made it quote: control characters could command a terminal.
+void make_presentable(std::string& message) {
+  if (message.size() > kMaxMessageBytes) {
+    message.resize(character_start(message, kMaxMessageBytes));
+    message += "...";
+  }
+  std::replace_if(message.begin(), message.end(), is_control, '?');
 }
 
 std::string place(const Span& span, const SourceSet& sources) {
@@ -83,6 +116,7 @@ const DiagnosticKind& diagnostic_kind(DiagnosticId id) {
 
 void Diagnostics::report(DiagnosticId id, const Span& span, std::string message, std::vector<RelatedPlace> related) {
   if (diagnostics_.size() > kMaxDiagnostics) return;
+  make_presentable(message);
   const std::size_t hash = hash_of(id, span, message);
   const auto [first, last] = by_hash_.equal_range(hash);
   const bool known = std::any_of(first, last, [&](const auto& entry) {
@@ -134,7 +168,7 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
   std::string_view nearest;
   std::size_t best = std::min(std::max<std::size_t>(name.size() / 3, 1) + 1, name.size());  // something of it must stay
   for (const std::string_view candidate : candidates) {
-    if (candidate == name || candidate.size() > kLongestName) continue;
+    if (candidate == name || candidate.size() > name.size() + best || name.size() > candidate.size() + best) continue;
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < best) {
       best = distance;

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/gzip.h"
-#include "base/limits.h"
 
 namespace plugc {
 namespace fs = std::filesystem;
@@ -53,12 +52,28 @@ FileContent unpacked(std::string bytes) {
 
 }  // namespace
 
-DiskFiles::DiskFiles(fs::path root) : root_(real_path(root)), confined_(!root.empty()) {}
+DiskFiles::DiskFiles(fs::path root, std::size_t most_bytes)
+    : root_(real_path(root)), confined_(!root.empty()), bytes_left_(most_bytes) {}
 
 FileContent DiskFiles::read(const fs::path& path) {
   const fs::path real = real_path(path);
   if (real.empty()) return {FileStatus::missing, ""};
   if (confined_ && !lies_under(real, root_)) return {FileStatus::outside_root, ""};
+  if (const auto known = refused_.find(real); known != refused_.end()) return {known->second, ""};
+  FileContent content = read_real(real);
+  if (content.status == FileStatus::ok && content.bytes.size() > bytes_left_) {
+    content = {FileStatus::total_too_large, ""};
+  }
+  bytes_left_ -= content.bytes.size();
+  if (content.status == FileStatus::ok) {
+    files_read_.insert(path.lexically_normal());
+  } else {
+    refused_[real] = content.status;
+  }
+  return content;
+}
+
+FileContent DiskFiles::read_real(const fs::path& real) const {
   std::error_code error;
   if (!fs::is_regular_file(real, error)) return {FileStatus::missing, ""};
   const auto size = fs::file_size(real, error);
@@ -69,7 +84,6 @@ FileContent DiskFiles::read(const fs::path& path) {
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!stream && !stream.eof()) return {FileStatus::missing, ""};
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  files_read_.insert(path.lexically_normal());
   return unpacked(std::move(bytes));
 }
 
@@ -105,6 +119,27 @@ std::optional<fs::path> resolve_url(std::string_view url, const fs::path& base) 
   return (path.is_absolute() ? path : base.parent_path() / path).lexically_normal();
 }
 
+void report_unreadable(FileStatus status, std::string_view name, const Span& span, Diagnostics& diagnostics) {
+  const auto report = [&](DiagnosticId id, std::string message) { diagnostics.report(id, span, std::move(message)); };
+  switch (status) {
+    case FileStatus::ok: return;
+    case FileStatus::missing: return report(DiagnosticId::file_unreadable, fmt::format("cannot read `{}`", name));
+    case FileStatus::outside_root:
+      return report(
+          DiagnosticId::file_outside_root,
+          fmt::format("`{}` leads outside the folder that this scene may read; `--root DIR` names a wider one", name));
+    case FileStatus::damaged:
+      return report(
+          DiagnosticId::file_unreadable,
+          fmt::format("`{}` is gzip-compressed and damaged, or unpacks to more than {} MiB", name, kMaxFileBytes >> 20));
+    case FileStatus::too_large:
+      return report(DiagnosticId::file_too_large, fmt::format("`{}` is larger than {} MiB", name, kMaxFileBytes >> 20));
+    case FileStatus::total_too_large:
+      return report(DiagnosticId::file_too_large,
+                    fmt::format("`{}` is not read: the files of this scene are too large together", name));
+  }
+}
+
 std::optional<std::string> read_url(FileAccess& files, std::string_view url, const fs::path& base, const Span& span,
                                     Diagnostics& diagnostics) {
   const auto path = resolve_url(url, base);
@@ -113,26 +148,8 @@ std::optional<std::string> read_url(FileAccess& files, std::string_view url, con
     return std::nullopt;
   }
   FileContent content = files.read(*path);
-  switch (content.status) {
-    case FileStatus::ok: return std::move(content.bytes);
-    case FileStatus::missing:
-      diagnostics.report(DiagnosticId::file_unreadable, span, fmt::format("cannot read `{}`", url));
-      break;
-    case FileStatus::outside_root:
-      diagnostics.report(
-          DiagnosticId::file_outside_root, span,
-          fmt::format("`{}` leads outside the folder that this scene may read; `--root DIR` names a wider one", url));
-      break;
-    case FileStatus::damaged:
-      diagnostics.report(
-          DiagnosticId::file_unreadable, span,
-          fmt::format("`{}` is gzip-compressed and damaged, or unpacks to more than {} MiB", url, kMaxFileBytes >> 20));
-      break;
-    case FileStatus::too_large:
-      diagnostics.report(DiagnosticId::file_too_large, span,
-                         fmt::format("`{}` is larger than {} MiB", url, kMaxFileBytes >> 20));
-      break;
-  }
+  if (content.status == FileStatus::ok) return std::move(content.bytes);
+  report_unreadable(content.status, url, span, diagnostics);
   return std::nullopt;
 }
 

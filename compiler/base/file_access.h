@@ -9,10 +9,11 @@
 #include <string_view>
 
 #include "base/diagnostics.h"
+#include "base/limits.h"
 
 namespace plugc {
 
-enum class FileStatus { ok, missing, outside_root, too_large, damaged };
+enum class FileStatus { ok, missing, outside_root, too_large, damaged, total_too_large };
 
 struct FileContent {
   FileStatus status = FileStatus::missing;
@@ -26,18 +27,23 @@ class FileAccess {
   virtual FileContent read(const std::filesystem::path& path) = 0;
 };
 
-/// Real files under `root` only, links followed before the question is asked. An empty root allows every file.
+/// Real files under `root` only, links followed before the question is asked, and together no more than `most_bytes` of
+/// them. An empty root allows every file.
 class DiskFiles : public FileAccess {
  public:
-  explicit DiskFiles(std::filesystem::path root);
+  explicit DiskFiles(std::filesystem::path root, std::size_t most_bytes = kMaxTotalBytes);
+  /// Regular files only: nothing that could wait, such as a pipe, or never end, such as /dev/zero.
   FileContent read(const std::filesystem::path& path) override;
   /// Every file read so far, as it was asked for, each once, in name order: what the result depends on.
   const std::set<std::filesystem::path>& files_read() const { return files_read_; }
 
  private:
+  FileContent read_real(const std::filesystem::path& real) const;
   std::filesystem::path root_;
   bool confined_;
   std::set<std::filesystem::path> files_read_;
+  std::map<std::filesystem::path, FileStatus> refused_;  ///< By real path: a bomb is unpacked once, however often it is named.
+  std::size_t bytes_left_;
 };
 
 /// Files in memory, for tests and fuzzers.
@@ -53,6 +59,9 @@ std::filesystem::path default_root(const std::filesystem::path& scene);
 
 /// Where `url`, written in the file `base`, leads, without its `#fragment`; nullopt when it is no local file (`http:`, `urn:`).
 std::optional<std::filesystem::path> resolve_url(std::string_view url, const std::filesystem::path& base);
+
+/// Reports at `span` why a file was not read (its status is not ok); `name` as the author wrote it.
+void report_unreadable(FileStatus status, std::string_view name, const Span& span, Diagnostics& diagnostics);
 
 /// Reads the file that a url names, or reports at `span` why it cannot be read.
 std::optional<std::string> read_url(FileAccess& files, std::string_view url, const std::filesystem::path& base,

@@ -27,6 +27,15 @@ bool inflate_all(z_stream& stream, std::string& text, std::size_t limit) {
   return state == Z_STREAM_END && text.size() <= limit;
 }
 
+/// What the last member says that it unpacks to (RFC 1952, ISIZE), as far as that many bytes can: deflate makes at most 1032
+/// of one.
+std::size_t size_hint(std::string_view bytes) {
+  if (bytes.size() < 4) return 0;
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < 4; ++i) size |= std::size_t{static_cast<unsigned char>(bytes[bytes.size() - 4 + i])} << (8 * i);
+  return std::min(size, 1032 * bytes.size());
+}
+
 }  // namespace
 
 bool is_gzip(std::string_view bytes) {
@@ -39,6 +48,7 @@ std::optional<std::string> gunzip(std::string_view bytes, std::size_t limit) {
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib takes no const, and writes nothing there
   stream.avail_in = static_cast<uInt>(bytes.size());
   std::string text;
+  text.reserve(std::min(size_hint(bytes), limit) + kPiece);
   const bool whole = inflate_all(stream, text, limit);
   inflateEnd(&stream);
   return whole ? std::optional(std::move(text)) : std::nullopt;

@@ -7,6 +7,9 @@
 namespace plugc {
 
 inline constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;  ///< One file, read whole.
+inline constexpr std::size_t kMaxTotalBytes = std::size_t{2} << 30;   ///< All files of one scene together, unpacked.
+inline constexpr std::size_t kMaxNameBytes = 1024;                    ///< One name of a node, a field, a type.
+inline constexpr std::size_t kMaxMessageBytes = 2000;                 ///< One message.
 inline constexpr std::size_t kMaxSyntaxMistakes = 100;                ///< Reported in one file; then reading it stops.
 inline constexpr std::size_t kMaxDocumentItems = 8'000'000;           ///< Nodes, fields, strings, statements of one file.
 inline constexpr std::size_t kMaxGltfValues = 4'000'000;              ///< Numbers, strings, lists, objects of glTF's JSON.

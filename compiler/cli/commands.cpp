@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <system_error>
 
 #include <sys/stat.h>
@@ -64,6 +65,14 @@ fs::path cache_folder(std::string_view subfolder) {
   if (error) return {};
   fs::permissions(root, fs::perms::owner_all, error);  // private: what lies in it is trusted
   return folder;
+}
+
+bool is_package_file(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;  // a pipe would wait
+  std::ifstream stream(path, std::ios::binary);
+  std::string magic(8, '\0');
+  return stream.read(magic.data(), 8) && magic == "PLUGPACK";
 }
 
 int report(const Diagnostics& diagnostics) {

@@ -36,6 +36,9 @@ std::filesystem::path cache_folder(std::string_view subfolder);
 /// Prints to stderr as text, sorted by file and line; returns the exit status that the diagnostics ask for.
 int report(const Diagnostics& diagnostics);
 
+/// Whether that is a package; anything else is taken for a scene.
+bool is_package_file(const std::filesystem::path& path);
+
 /// Each declares its verb; the callback sets `status`.
 void add_build_command(CLI::App& app, int& status);
 void add_lint_command(CLI::App& app, int& status);

@@ -87,10 +87,10 @@ int print_program(const Package& package, std::size_t index) {
 /// The input as package bytes: read when it is a package, else compiled.
 std::vector<std::uint8_t> input_bytes(const InspectOptions& options, Validator& validator, SourceSet& sources,
                                       Diagnostics& diagnostics) {
-  std::ifstream stream(options.input, std::ios::binary);
-  std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(stream)), {});
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (text.starts_with("PLUGPACK")) return bytes;
+  if (is_package_file(options.input)) {
+    std::ifstream stream(options.input, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
   return write_package(compile({options.input}, compile_options(options.common), validator, sources, diagnostics).package);
 }
 
@@ -122,7 +122,6 @@ int print_document(const InspectOptions& options) {
 
 int inspect(const InspectOptions& options) {
   if (!options.as.empty()) return print_document(options);
-  Validator validator = make_validator(options.common);
   SourceSet sources;
   Diagnostics diagnostics(sources);
   const bool early = options.dump == "document" || options.dump == "scene" || options.dump == "recipes";
@@ -130,6 +129,7 @@ int inspect(const InspectOptions& options) {
     fmt::print("{}", dump_stage(options.input, options.dump, compile_options(options.common), sources, diagnostics));
     return report(diagnostics);
   }
+  Validator validator = make_validator(options.common);
   const std::vector<std::uint8_t> bytes = input_bytes(options, validator, sources, diagnostics);
   const int status = report(diagnostics);
   const PackageView view = open_package(bytes);

@@ -68,12 +68,6 @@ void draw(const RendererOptions& options, const FrameOptions& frame, std::future
   done.set_value(std::move(drawn));
 }
 
-bool is_package_file(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string magic(8, '\0');
-  return stream.read(magic.data(), 8) && magic == "PLUGPACK";
-}
-
 /// The package's bytes, read or compiled; `status` says how it went.
 std::vector<std::uint8_t> package_bytes(const PreviewOptions& options, Validator* validator, int& status) {
   if (validator == nullptr) {

@@ -53,7 +53,17 @@ OpenBody DocumentBuilder::open_body() const {
   return {fields.open(), interfaces.open(), statements.open(), cdata.open()};
 }
 
-void DocumentBuilder::give(NodeSyntax& node, const NodeExtras& extras) {
+void DocumentBuilder::cut(Name& name) {
+  diagnostics.report(DiagnosticId::syntax, name.span,
+                     fmt::format("a name is longer than {} bytes; only its beginning counts", kMaxNameBytes));
+  std::size_t end = kMaxNameBytes;
+  while (end > 0 && (static_cast<unsigned char>(name.text[end]) & 0xC0U) == 0x80U) --end;
+  name.text = name.text.substr(0, end);
+}
+
+void DocumentBuilder::give(NodeSyntax& node, NodeExtras& extras) {
+  limit(node.type);
+  for (Name* name : {&extras.def, &extras.use, &extras.container_field}) limit(*name);
   if (extras.any()) node.extras = &document.extras.emplace_back(extras);
 }
 
@@ -66,6 +76,8 @@ void DocumentBuilder::close_body(const OpenBody& body, NodeSyntax& node, NodeExt
 }
 
 void DocumentBuilder::add_interface(InterfaceSyntax field) {
+  limit(field.name);
+  limit(field.type);
   if (admit(field.span)) interfaces.add(std::move(field));
 }
 
@@ -101,18 +113,21 @@ void DocumentBuilder::add_statement(NodeSyntax node) {
 }
 
 void DocumentBuilder::add_statement(RouteSyntax route) {
+  for (Name* name : {&route.from_node, &route.from_field, &route.to_node, &route.to_field}) limit(*name);
   if (!admit(route.span)) return;
   statements.add({StatementKind::route, static_cast<std::uint32_t>(document.routes.size())});
   document.routes.push_back(std::move(route));
 }
 
 void DocumentBuilder::add_statement(StatementKind kind, ProtoSyntax proto) {
+  limit(proto.name);
   if (!admit(proto.span)) return;
   statements.add({kind, static_cast<std::uint32_t>(document.protos.size())});
   document.protos.push_back(std::move(proto));
 }
 
 void DocumentBuilder::add_statement(StatementKind kind, ImportSyntax import) {
+  for (Name* name : {&import.inline_def, &import.name, &import.alias}) limit(*name);
   if (!admit(import.span)) return;
   statements.add({kind, static_cast<std::uint32_t>(document.imports.size())});
   document.imports.push_back(std::move(import));

@@ -72,9 +72,10 @@ class DocumentBuilder {
   OpenBody open_body() const;
   /// Ends the lists of the node's body; what `extras` has then belongs to the node.
   void close_body(const OpenBody& body, NodeSyntax& node, NodeExtras& extras);
-  void give(NodeSyntax& node, const NodeExtras& extras);
+  void give(NodeSyntax& node, NodeExtras& extras);
 
-  void add_field(const FieldSyntax& field, const Span& place) {
+  void add_field(FieldSyntax field, const Span& place) {
+    limit(field.name);
     if (admit(place)) fields.add(field);
   }
   void add_interface(InterfaceSyntax field);
@@ -120,6 +121,11 @@ class DocumentBuilder {
     return !stopped_;
   }
   void stop_at_limit(const Span& place);
+  /// A name that is too long is reported and cut, so that no message quotes megabytes of it, over and over.
+  void limit(Name& name) {
+    if (name.text.size() > kMaxNameBytes) cut(name);
+  }
+  void cut(Name& name);
   std::size_t items_ = 0;
   std::size_t mistakes_ = 0;
   bool stopped_ = false;

@@ -73,6 +73,7 @@ class XmlReader {
   bool parse();
   std::size_t stop_of(const pugi::xml_parse_result& result) const;
   void report_markup(const pugi::xml_parse_result& result);
+  void report_declarations();
   void read_root(const pugi::xml_node& root);
   void read_head(const pugi::xml_node& head);
   void read_scene(const pugi::xml_node& scene);
@@ -144,6 +145,7 @@ bool XmlReader::parse() {
   const unsigned keep_as_written = pugi::parse_cdata;  // no entities, line ends or attribute values converted
   const auto result = tree_.load_buffer_inplace(buffer_.data(), buffer_.size(), keep_as_written, pugi::encoding_utf8);
   extents_ = find_xml_extents(text_, result ? text_.size() : stop_of(result));
+  report_declarations();
   if (!result) report_markup(result);
   return !tree_.document_element().empty();
 }
@@ -168,6 +170,18 @@ void XmlReader::report_markup(const pugi::xml_parse_result& result) {
   }
   const std::size_t end = std::min(at + 1, text_.size());
   build_.mistake({source_, static_cast<std::uint32_t>(std::min(at, end)), static_cast<std::uint32_t>(end)}, std::move(message));
+}
+
+/// A scene needs no entities of its own; what others do with those (expand them without end, read files by them) is never done.
+void XmlReader::report_declarations() {
+  const std::size_t begin = text_.find("<!DOCTYPE");
+  const std::size_t root = text_.find("<X3D");
+  if (begin >= root) return;
+  const std::size_t bracket = text_.find_first_of("[>", begin);
+  if (bracket == std::string_view::npos || text_[bracket] != '[') return;
+  const auto at = static_cast<std::uint32_t>(bracket);
+  build_.diagnostics.report(DiagnosticId::doctype_subset, {source_, at, at + 1},
+                            "declarations of a document type are passed over; plugc knows the five entities of XML alone");
 }
 
 void XmlReader::read_root(const pugi::xml_node& root) {

@@ -199,7 +199,10 @@ void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
 
 void GraphBuilder::finish_node(const Job& job) {
   if (job.definition != nullptr) job.definition->open = false;
-  if (job.built.valid()) raise_height(job.to.holder, job.built);
+  if (!job.built.valid()) return;
+  raise_height(job.to.holder, job.built);
+  container_lists_.erase(container_lists_.lower_bound({job.built.value, nullptr}),
+                         container_lists_.lower_bound({job.built.value + 1, nullptr}));
 }
 
 /// Lists no longer grow, so the fields may now view them.
@@ -278,9 +281,13 @@ bool GraphBuilder::is_reported(DiagnosticId id, const Span& span) const {
                             span.begin);
 }
 
-/// Looking for a near name costs more than all else about a mistake, so only the first mistakes get one.
+bool GraphBuilder::may_look_through(std::size_t names) {
+  looked_through_ += names;
+  return ++suggestions_ <= kMaxSuggestions && looked_through_ <= kMaxLookedThrough;
+}
+
 std::string GraphBuilder::suggest(std::string_view name, std::span<const std::string_view> candidates) {
-  return ++suggestions_ > kMaxSuggestions ? "" : did_you_mean(name, candidates);
+  return may_look_through(candidates.size()) ? did_you_mean(name, candidates) : "";
 }
 
 NodeGraph build_graph(Document document, const std::filesystem::path& path, SourceSet& sources, FileAccess& files,

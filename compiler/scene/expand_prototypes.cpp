@@ -26,12 +26,20 @@ std::vector<std::string_view> field_names(const Instance& instance) {
   return names;
 }
 
+/// Of fields with the same name the first one counts.
+void index_fields(Prototype& prototype, const Document& text) {
+  if (!prototype.field_index.empty()) return;
+  std::uint32_t index = 0;
+  for (const InterfaceSyntax& declared : text.of(prototype.syntax->interface)) {
+    prototype.field_index.emplace(declared.name.text, index++);
+  }
+}
+
 }  // namespace
 
 ProtoField* find_proto_field(Instance& instance, std::string_view name) {
-  const auto found = std::find_if(instance.fields.begin(), instance.fields.end(),
-                                  [&](const ProtoField& field) { return field.declared->name.text == name; });
-  return found == instance.fields.end() ? nullptr : &*found;
+  const auto found = instance.prototype->field_index.find(name);
+  return found == instance.prototype->field_index.end() ? nullptr : &instance.fields[found->second];
 }
 
 void GraphBuilder::declare_prototype(Scope& scope, std::uint32_t index, bool external) {
@@ -59,9 +67,9 @@ Prototype* GraphBuilder::find_prototype(const Scope& scope, std::string_view nam
     const auto found = at->prototypes.find(name);
     if (found == at->prototypes.end()) continue;
     const std::vector<Prototype*>& declared = found->second;
-    const auto last =
-        std::find_if(declared.rbegin(), declared.rend(), [&](const Prototype* one) { return one->order < visible; });
-    if (last != declared.rend()) return *last;
+    const auto behind =
+        std::partition_point(declared.begin(), declared.end(), [&](const Prototype* one) { return one->order < visible; });
+    if (behind != declared.begin()) return *(behind - 1);
   }
   return nullptr;
 }
@@ -93,8 +101,10 @@ void GraphBuilder::instantiate(const Job& job, Prototype& prototype) {
 /// `external` is the declaration that led here from another file, if any.
 void GraphBuilder::expand(const Job& job, Prototype& prototype, const Prototype* external) {
   const NodeSyntax& syntax = *job.node;
-  if (!spend(kInstanceWork + syntax.fields.count + prototype.syntax->interface.count, syntax.type.span)) return;
+  const Span& place = syntax.type.empty() ? prototype.syntax->name.span : syntax.type.span;
+  if (!spend(kInstanceWork + syntax.fields.count + prototype.syntax->interface.count, place)) return;
   prototype.used = true;
+  index_fields(prototype, document(*prototype.scope));
   if (!may_expand(job, prototype)) return lose(*job.scope, syntax);
   Instance& instance = new_instance(job, prototype, external);
   Job finish = job;

@@ -63,7 +63,7 @@ std::span<const double> lexical_numbers(Reading& reading) {
   Diagnostics unheard(reading.diagnostics.sources());  // what a damaged text says is no mistake of its own
   LexicalNumbers read = read_lexical_numbers(text[0], kind, reading.damaged ? unheard : reading.diagnostics);
   reading.damaged |= read.damaged;
-  return reading.store.numbers.emplace_back(std::move(read.numbers));
+  return reading.store.keep(std::move(read.numbers));
 }
 
 /// The numbers written, when numbers may stand here.
@@ -215,6 +215,17 @@ bool read_strings(Reading& reading, FieldValue& value) {
 }
 
 }  // namespace
+
+std::span<const double> ValueStore::keep(std::vector<double> list) {
+  constexpr std::size_t kBlock = 4096;
+  if (list.size() >= kBlock) return numbers.emplace_front(std::move(list));
+  if (numbers.empty() || numbers.back().capacity() - numbers.back().size() < list.size())
+    numbers.emplace_back().reserve(kBlock);
+  std::vector<double>& block = numbers.back();
+  const std::size_t first = block.size();
+  block.insert(block.end(), list.begin(), list.end());
+  return std::span<const double>(block).subspan(first);
+}
 
 std::string what_stands(const ValueSyntax& value) {
   switch (value.kind) {

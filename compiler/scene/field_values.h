@@ -13,6 +13,9 @@ namespace plugc {
 
 /// Where values live that no document holds.
 struct ValueStore {
+  /// Short lists, of which a scene has very many, share a block.
+  std::span<const double> keep(std::vector<double> list);
+
   std::deque<std::vector<double>>& numbers;
   std::deque<std::vector<MappedText>>& strings;
 };

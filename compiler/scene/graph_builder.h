@@ -16,6 +16,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "scene/event_names.h"
 #include "scene/field_values.h"
 #include "scene/node_graph.h"
 
@@ -23,8 +24,10 @@ namespace plugc {
 
 using NodeList = std::vector<NodeId>;
 
-/// Looking for a near name costs more than all else about a mistake, so only the first mistakes get one.
+/// Looking for a near name costs more than all else about a mistake, so only the first mistakes get one, and none of those in
+/// a file of very many names.
 constexpr std::size_t kMaxSuggestions = 200;
+constexpr std::size_t kMaxLookedThrough = 500'000;
 
 struct Scope;
 struct Instance;
@@ -46,9 +49,10 @@ struct Prototype {
   std::uint32_t order = 0;  // its place among that scope's prototypes: the body sees those before it
   bool external = false;
   bool used = false;
-  bool resolved = false;               // external: looked up already
-  Prototype* target = nullptr;         // external: what it names, or
-  const NodeInfo* built_in = nullptr;  // the built-in node that it names
+  bool resolved = false;                                            // external: looked up already
+  Prototype* target = nullptr;                                      // external: what it names, or
+  const NodeInfo* built_in = nullptr;                               // the built-in node that it names
+  std::unordered_map<std::string_view, std::uint32_t> field_index;  // by name: the place of each field of its interface
 };
 
 /// One name space: a file each time it is read, or a prototype's body each time it is expanded.
@@ -241,6 +245,8 @@ class GraphBuilder {
   std::optional<RouteEnd> route_end(const PendingRoute& pending, bool outgoing);
   std::optional<RouteEnd> instance_end(Instance& instance, const Name& field, bool outgoing);
   std::optional<RouteEnd> node_end(NodeId id, const Name& field, bool outgoing);
+  const InterfaceField* find_interface(NodeId id, std::string_view name);
+  bool inner_field_allows(NodeId id, std::string_view name, EventUse use);
   void report_no_event(std::string_view type, const Name& field, bool outgoing, std::span<const std::string_view> names);
   void follow_links(const Link& from, bool outgoing, std::vector<Link>& ends, const Span& span);
 
@@ -249,6 +255,9 @@ class GraphBuilder {
   bool is_reported(DiagnosticId id, const Span& span) const;
   std::string unknown_name_hint(const Scope& scope, const Name& name);
   std::string suggest(std::string_view name, std::span<const std::string_view> candidates);
+  std::string suggest_defined(const Scope& scope, std::string_view name);
+  /// Whether one more name may be searched for among that many.
+  bool may_look_through(std::size_t names);
 
   SourceSet& sources_;
   FileAccess& files_;
@@ -272,13 +281,15 @@ class GraphBuilder {
     NodeList* list;
   };
   std::vector<ListUse> list_uses_;
-  std::map<std::pair<std::uint32_t, const FieldInfo*>, NodeList*> container_lists_;            // XML children
+  std::map<std::pair<std::uint32_t, const FieldInfo*>, NodeList*> container_lists_;            // XML children of open nodes
   std::map<std::pair<const ValueSyntax*, FieldType>, std::optional<FieldValue>> read_values_;  // of scopes that repeat
   std::map<std::string, std::uint32_t> loaded_;                                                // document of each path
   std::map<std::uint32_t, Scope*> libraries_;  // of documents that an EXTERNPROTO names
+  std::map<std::uint32_t, std::unordered_map<std::string_view, std::uint32_t>> interface_index_;  // of nodes that routes name
   std::unordered_set<std::uint64_t> reported_;
   std::size_t work_ = 0;
   std::size_t suggestions_ = 0;
+  std::size_t looked_through_ = 0;  // names, by all of them
   bool out_of_work_ = false;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/clean_text.h"
 #include "base/limits.h"
 #include "document/read_document.h"
 #include "document/read_gltf.h"
@@ -12,6 +13,9 @@
 
 namespace plugc {
 namespace {
+
+/// What an inlined file costs beside its nodes, in nodes: it has name spaces of its own.
+constexpr std::size_t kInlineWork = 16;
 
 Span place_of(const MappedText& url, const Span& otherwise) {
   const Span span = url.empty() ? Span() : url.locate(0, url.size());
@@ -35,7 +39,7 @@ std::optional<std::uint32_t> GraphBuilder::load(std::string_view url, const std:
   }
   std::optional<std::string> bytes = read_url(files_, url, base, span, diagnostics);
   if (!bytes) return std::nullopt;
-  const SourceId source = sources_.add(path->generic_string(), std::move(*bytes));
+  const SourceId source = add_clean_text(sources_, path->generic_string(), std::move(*bytes), diagnostics_);
   const auto index = static_cast<std::uint32_t>(graph_.documents_.size());
   graph_.documents_.push_back(read_document(source, *path, files_, sources_, diagnostics_));
   graph_.document_paths_.push_back(*path);
@@ -59,7 +63,7 @@ void GraphBuilder::run_inlined(const Job& job) {
   if (!graph_.boolean(job.built, "load")) return;
   const std::filesystem::path base = graph_.base_path(job.built);
   const auto loaded = load_first(urls, base);
-  if (!loaded || !may_inline(job, *loaded, urls.span)) return;
+  if (!loaded || !may_inline(job, *loaded, urls.span) || !spend(kInlineWork, urls.span)) return;
   Scope& scope = scopes_.emplace_back();
   scope.document = *loaded;
   scope.outer = job.scope;
@@ -221,17 +225,21 @@ Prototype* GraphBuilder::find_external(const Prototype& prototype, const MappedT
 void GraphBuilder::check_declaration(const Prototype& external, const Prototype& target) {
   const auto actual = graph_.documents_[target.document].of(target.syntax->interface);
   std::vector<std::string_view> names;
-  for (const InterfaceSyntax& one : actual) names.push_back(one.name.text);
+  std::unordered_map<std::string_view, const InterfaceSyntax*> by_name;
+  for (const InterfaceSyntax& one : actual) {
+    names.push_back(one.name.text);
+    by_name.emplace(one.name.text, &one);
+  }
   for (const InterfaceSyntax& promised : graph_.documents_[external.document].of(external.syntax->interface)) {
     const Name& name = promised.name;
-    const auto found = std::find(names.begin(), names.end(), name.text);
-    if (found == names.end()) {
+    const auto found = by_name.find(name.text);
+    if (found == by_name.end()) {
       report(DiagnosticId::field_unknown, name.span,
              fmt::format("the prototype `{}` that this declares has no field `{}`{}", target.syntax->name.text, name.text,
                          suggest(name.text, names)));
       continue;
     }
-    const InterfaceSyntax& field = actual[static_cast<std::size_t>(found - names.begin())];
+    const InterfaceSyntax& field = *found->second;
     if (field.type.text != promised.type.text) {
       report(DiagnosticId::field_type, promised.type.span,
              fmt::format("`{}` is of type {} in the prototype `{}` that this declares", name.text, field.type.text,

@@ -45,13 +45,6 @@ Span place_of(const Destination& to) {
   return to.written->extras->use.empty() ? to.written->type.span : to.written->extras->use.span;
 }
 
-std::vector<std::string_view> defined_names(const Scope& scope) {
-  std::vector<std::string_view> names;
-  for (const auto& [name, definition] : scope.definitions) names.push_back(name);
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 bool is_defined_outside(const Scope& scope, std::string_view name) {
   for (const Scope* outer = scope.outer; outer != nullptr; outer = outer->outer) {
     if (outer->definitions.contains(name)) return true;
@@ -70,9 +63,10 @@ bool is_defined_behind(const Document& text, const Name& name) {
       return contains(proto.span, name.span) == contains(proto.span, node.extras->def.span);
     });
   };
-  return std::any_of(text.nodes.begin(), text.nodes.end(), [&](const NodeSyntax& node) {
-    return node.extras->def.text == name.text && node.extras->def.span.begin > name.span.begin && same_body(node);
+  const auto first = std::find_if(text.nodes.begin(), text.nodes.end(), [&](const NodeSyntax& node) {
+    return node.extras->def.text == name.text && node.extras->def.span.begin > name.span.begin;
   });
+  return first != text.nodes.end() && same_body(*first);
 }
 
 /// Whether a USE here names its node without containing it: as a reference, or for a Script's code.
@@ -154,11 +148,20 @@ void GraphBuilder::place_use(const Job& job) {
   raise_height(job.to.holder, definition.node);
 }
 
+std::string GraphBuilder::suggest_defined(const Scope& scope, std::string_view name) {
+  if (!may_look_through(scope.definitions.size())) return "";
+  std::vector<std::string_view> names;
+  for (const auto& [defined, definition] : scope.definitions) names.push_back(defined);
+  std::sort(names.begin(), names.end());
+  return did_you_mean(name, names);
+}
+
 /// Why a name is not known here. Looking costs more than all else about a mistake, so only the first ones are looked for.
 std::string GraphBuilder::unknown_name_hint(const Scope& scope, const Name& name) {
-  if (suggestions_ >= kMaxSuggestions) return "";
-  if (is_defined_behind(document(scope), name)) return "; one stands behind it";
-  const std::string suggestion = suggest(name.text, defined_names(scope));
+  const Document& text = document(scope);
+  if (!may_look_through(text.nodes.size() + text.protos.size())) return "";
+  if (is_defined_behind(text, name)) return "; one stands behind it";
+  const std::string suggestion = suggest_defined(scope, name.text);
   if (!suggestion.empty() || !is_defined_outside(scope, name.text)) return suggestion;
   return "; names outside a prototype's body or an inlined file cannot be seen in it";
 }

@@ -21,19 +21,22 @@ EventUse use_of(bool outgoing) {
   return outgoing ? EventUse::send : EventUse::receive;
 }
 
-const InterfaceField* find_interface(const GraphNode& node, std::string_view name) {
-  const auto found = std::find_if(node.interface.begin(), node.interface.end(),
-                                  [&](const InterfaceField& field) { return field.name == name; });
-  return found == node.interface.end() ? nullptr : &*found;
+}  // namespace
+
+const InterfaceField* GraphBuilder::find_interface(NodeId id, std::string_view name) {
+  const std::vector<InterfaceField>& fields = graph_.nodes_[id.value].interface;
+  if (fields.empty()) return nullptr;
+  const auto [entry, is_new] = interface_index_.try_emplace(id.value);
+  for (std::uint32_t i = 0; is_new && i < fields.size(); ++i) entry->second.emplace(fields[i].name, i);
+  const auto found = entry->second.find(name);
+  return found == entry->second.end() ? nullptr : &fields[found->second];
 }
 
-bool inner_field_allows(const GraphNode& node, std::string_view name, EventUse use) {
-  if (const InterfaceField* field = find_interface(node, name)) return allows(field->access, use);
-  const FieldInfo* field = find_field_info(*node.info, name);
+bool GraphBuilder::inner_field_allows(NodeId id, std::string_view name, EventUse use) {
+  if (const InterfaceField* field = find_interface(id, name)) return allows(field->access, use);
+  const FieldInfo* field = find_field_info(*graph_.nodes_[id.value].info, name);
   return field != nullptr && allows(field->access, use);
 }
-
-}  // namespace
 
 void GraphBuilder::note_route(Scope& scope, const RouteSyntax& route) {
   if (!spend(1, route.span)) return;
@@ -76,11 +79,8 @@ std::optional<RouteEnd> GraphBuilder::route_end(const PendingRoute& pending, boo
   }
   if (definition == nullptr) {
     if (!is_reported(DiagnosticId::route_invalid, node.span)) {
-      std::vector<std::string_view> names;
-      for (const auto& [name, known] : pending.scope->definitions) names.push_back(name);
-      std::sort(names.begin(), names.end());
       report(DiagnosticId::route_invalid, node.span,
-             fmt::format("no node is named `{}`{}", node.text, suggest(node.text, names)));
+             fmt::format("no node is named `{}`{}", node.text, suggest_defined(*pending.scope, node.text)));
     }
     return std::nullopt;
   }
@@ -110,7 +110,7 @@ std::optional<RouteEnd> GraphBuilder::node_end(NodeId id, const Name& field, boo
   const GraphNode& node = graph_.nodes_[id.value];
   const EventUse use = use_of(outgoing);
   const auto find_own = [&](std::string_view name) {
-    const InterfaceField* found = find_interface(node, name);
+    const InterfaceField* found = find_interface(id, name);
     return found != nullptr && allows(found->access, use) ? found : nullptr;
   };
   const Encoding encoding = graph_.documents_[node.document].encoding;
@@ -120,6 +120,7 @@ std::optional<RouteEnd> GraphBuilder::node_end(NodeId id, const Name& field, boo
   };
   if (const InterfaceField* own = find_event(field.text, use, find_own)) return RouteEnd{{id, nullptr, own->name}, own->type};
   if (const FieldInfo* found = find_event(field.text, use, find)) return RouteEnd{{id, nullptr, found->name}, found->type};
+  if (is_reported(DiagnosticId::route_invalid, field.span)) return std::nullopt;
   std::vector<std::string_view> names;
   for (const InterfaceField& one : node.interface) {
     if (allows(one.access, use)) names.push_back(one.name);
@@ -143,7 +144,7 @@ void GraphBuilder::report_no_event(std::string_view type, const Name& field, boo
 void GraphBuilder::follow_links(const Link& from, bool outgoing, std::vector<Link>& ends, const Span& span) {
   if (!spend(1, span)) return;
   if (from.instance == nullptr) {
-    if (inner_field_allows(graph_.nodes_[from.node.value], from.field, use_of(outgoing))) ends.push_back(from);
+    if (inner_field_allows(from.node, from.field, use_of(outgoing))) ends.push_back(from);
     return;
   }
   const ProtoField* field = find_proto_field(*from.instance, from.field);

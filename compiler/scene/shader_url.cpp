@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/clean_text.h"
 #include "base/data_url.h"
 
 namespace plugc {
@@ -52,7 +53,8 @@ std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, 
     }
     if (auto bytes = read_url(files, url.text(), graph.base_path(part), span, failures)) {
       const auto path = resolve_url(url.text(), graph.base_path(part));
-      const SourceId source = sources.add(path ? path->string() : std::string(url.text()), std::move(*bytes));
+      const SourceId source =
+          add_clean_text(sources, path ? path->string() : std::string(url.text()), std::move(*bytes), diagnostics);
       const Span whole{source, 0, static_cast<std::uint32_t>(sources.text(source).size())};
       return ShaderCode{MappedText(sources, whole), whole};
     }

@@ -75,12 +75,20 @@ TEST(Base, ShowsNoControlCharacters) {
   EXPECT_EQ(text_of(diagnostics), "a:1:1: error: x [syntax]\n  a [31mb\n  ^\n");
 }
 
-TEST(Base, ShowsNoVeryLongLine) {
+TEST(Base, ShowsWhatStandsAroundThePlaceInAVeryLongLine) {
   SourceSet sources;
-  const SourceId id = sources.add("a", std::string(500, 'x'));
+  const SourceId id = sources.add("a", std::string(400, 'x') + "here" + std::string(400, 'y'));
   Diagnostics diagnostics(sources);
-  diagnostics.report(DiagnosticId::syntax, {id, 400, 401}, "m");
-  EXPECT_EQ(text_of(diagnostics), "a:1:401: error: m [syntax]\n");
+  diagnostics.report(DiagnosticId::syntax, {id, 400, 404}, "m");
+  EXPECT_EQ(text_of(diagnostics), "a:1:401: error: m [syntax]\n  ..." + std::string(60, 'x') + "here" + std::string(96, 'y') +
+                                      "...\n" + std::string(65, ' ') + "^~~~\n");
+}
+
+TEST(Base, KeepsAMessageToOneLineThatIsNotTooLong) {
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  diagnostics.report(DiagnosticId::syntax, {}, "a\x1B[31m\nb" + std::string(1'000'000, 'x'));
+  EXPECT_EQ(diagnostics.all()[0].message, "a?[31m?b" + std::string(1992, 'x') + "...");
 }
 
 TEST(Base, SaysEachDifferentThingOnceInOrder) {

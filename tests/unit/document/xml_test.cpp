@@ -121,6 +121,7 @@ TEST(Document, ReadsImportsAndExportsOfXml) {
 TEST(Document, PassesOverADoctype) {
   EXPECT_EQ(dump_of("<?xml version='1.0'?>\n<!DOCTYPE X3D [ <!ENTITY a 'b'> ]>\n<X3D version='3.0' xmlns:x='y'><Scene>"
                     "<Box/></Scene></X3D>"),
+            "2:15 1 declarations of a document type are passed over; plugc knows the five entities of XML alone\n"
             "document xml 3.0\n3:39 Box\n");
 }
 

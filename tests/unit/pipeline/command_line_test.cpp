@@ -1,5 +1,6 @@
 // The program itself: its exit status, its streams, its formats.
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -176,6 +177,19 @@ TEST(CommandLine, APackagePreviewsAsItsScene) {
   const std::string picture = read_file(folder.path() / "scene.png");
   EXPECT_NE(picture, "");
   EXPECT_EQ(picture, read_file(folder.path() / "package.png"));
+}
+
+TEST(CommandLine, WhatIsNoFileIsNotWaitedFor) {
+  const SceneFolder folder;
+  ASSERT_EQ(mkfifo((folder.path() / "pipe.x3dv").c_str(), 0600), 0);
+  for (const std::string_view verb : {"build {} -o out.plugpack", "lint {}", "preview {} -o out.png", "inspect {}",
+                                      "inspect {} --dump document", "inspect {} --program 0"}) {
+    for (const std::string_view path : {"pipe.x3dv", "/dev/zero"}) {
+      const Ended run = run_plugc(folder, fmt::format(fmt::runtime(verb), path));
+      EXPECT_NE(run.status, 0) << verb;
+      EXPECT_THAT(run.err, HasSubstr(path)) << verb;
+    }
+  }
 }
 
 TEST(CommandLine, ADamagedPackageIsRefused) {
