@@ -6,7 +6,7 @@ namespace plugc {
 namespace {
 
 TEST(DataUrl, Base64ComesBackAsItWent) {
-  for (const std::string bytes :
+  for (const std::string& bytes :
        {std::string(), std::string("a"), std::string("ab"), std::string("abc"), std::string("\0\xFF\x80~", 4)}) {
     EXPECT_EQ(base64_decode(base64_encode(bytes)), bytes);
   }

@@ -216,7 +216,7 @@ TEST(ExpandPrototypes, XmlGivesNoNodeAsTheTextNull) {
       "<ProtoInstance name='P'><fieldValue name='one' value='NULL'/><fieldValue name='kids' value=''/></ProtoInstance>\n"
       "<ProtoInstance name='P'><fieldValue name='one' value='none'/></ProtoInstance></Scene></X3D>",
       {}, "scene.x3d");
-  EXPECT_EQ(built->said(), "scene.x3d:4:55: error: `one` of `P` takes SFNode, but attribute texts stand here [field-type]\n");
+  EXPECT_EQ(built->said(), "scene.x3d:4:55: error: `one` of `P` takes SFNode, but text stands here [field-type]\n");
   const NodeId group = built->root();
   const auto children = built->graph.field(group, "children").nodes;
   ASSERT_EQ(children.size(), 2U);
