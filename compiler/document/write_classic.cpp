@@ -1,6 +1,6 @@
 // Nodes, fields and statements as the grammar has them (ISO/IEC 19776-2, annex A), one field a line.
 
-#include <array>
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,6 +77,7 @@ class ClassicWriter {
   void write_prototype(const ProtoSyntax& prototype, bool external);
   void write_interface(const InterfaceSyntax& field, bool with_value);
   void write_node(const NodeSyntax& node);
+  void write_fields(const NodeSyntax& node);
   void write_field(const FieldSyntax& field);
   void write_url(const NodeSyntax& node, const FieldSyntax* field);
   void write_value(const ValueSyntax& value);
@@ -202,17 +203,27 @@ void ClassicWriter::write_node(const NodeSyntax& node) {
   };
   write_if(false);
   for (const InterfaceSyntax& field : document_.of(node.extras->interface)) write_interface(field, true);
-  bool has_url = false;
-  for (const FieldSyntax& field : document_.of(node.fields)) {
-    const bool url = !node.extras->cdata.empty() && field.name.text == "url" && !has_url;
-    has_url |= url;
-    url ? write_url(node, &field) : write_field(field);
-  }
-  if (!node.extras->cdata.empty() && !has_url) write_url(node, nullptr);
+  write_fields(node);
   write_if(true);
   --level_;
   text_ += indentation(level_) + '}';
   join_lines(text_, body);
+}
+
+/// Code is a url; where the node has none, it stands with the plain values, in front of the nodes.
+void ClassicWriter::write_fields(const NodeSyntax& node) {
+  const auto fields = document_.of(node.fields);
+  const auto is_url = [](const FieldSyntax& field) { return field.name.text == "url"; };
+  const auto is_plain = [](const FieldSyntax& field) {
+    return field.value.kind != ValueKind::nodes && field.value.kind != ValueKind::is;
+  };
+  const auto url = std::find_if(fields.begin(), fields.end(), is_url);
+  const auto place = url != fields.end() ? url : std::find_if_not(fields.begin(), fields.end(), is_plain);
+  for (auto field = fields.begin(); field != fields.end(); ++field) {
+    if (field == place && !node.extras->cdata.empty()) write_url(node, url == fields.end() ? nullptr : &*url);
+    if (field != url || node.extras->cdata.empty()) write_field(*field);
+  }
+  if (place == fields.end() && !node.extras->cdata.empty()) write_url(node, nullptr);
 }
 
 void ClassicWriter::write_field(const FieldSyntax& field) {

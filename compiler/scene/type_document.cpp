@@ -336,7 +336,10 @@ std::string_view DocumentTyper::container_of(const NodeKind& holder, const NodeK
     if (named != holder.prototype->types.end() && is_node(named->second)) return named->first;
     if (!holder.prototype->first_for_nodes.empty()) return holder.prototype->first_for_nodes;
   }
-  if (!written.empty()) return written;
+  if (!written.empty()) {
+    const FieldInfo* named = holder.info == nullptr ? nullptr : find_field_as_written(*holder.info, written, Encoding::vrml2);
+    return named == nullptr ? written : named->name;
+  }
   if (node.stands_for == nullptr) return "children";
   const FieldInfo* field = holder.info == nullptr ? nullptr : container_field_of(*holder.info, *node.stands_for, "");
   return field == nullptr ? node.stands_for->container_field : field->name;
@@ -349,7 +352,7 @@ FieldType DocumentTyper::identify(Name& field, bool is, const NodeKind& holder) 
     return declared == holder.prototype->types.end() ? FieldType::unknown : declared->second;
   }
   if (holder.info == nullptr) return FieldType::unknown;
-  const FieldInfo* info = find_field_as_written(*holder.info, field.text, document_.encoding);
+  const FieldInfo* info = find_field_as_written(*holder.info, field.text, Encoding::vrml2);
   if (info == nullptr) return FieldType::unknown;
   field.text = info->name;
   return is ? FieldType::unknown : info->type;

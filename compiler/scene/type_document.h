@@ -13,7 +13,7 @@ namespace plugc {
 ///   the node would go to by itself; a USE and the ProtoInstance of a USE carry the type of their node, where it is known;
 /// - in a node plain values come first, then nodes, then IS; prototypes before routes;
 /// - code is in `cdata` where it is the last url (`data:text/plain,...`, `ecmascript:...`) or stands inside the element;
-/// - VRML 2.0 becomes X3D 3.0: `choice` of a Switch is `children`.
+/// - VRML 2.0 becomes X3D 3.0, and a field goes by its name in X3D, not by that in VRML: `choice` of a Switch is `children`.
 ///
 /// Nothing is reported: what does not fit its type is kept as text, and the values of unknown fields as what they look like
 /// (whether they were bracketed only the classic encoding tells). Of the fields of a node that are empty on purpose (`NULL`,

@@ -74,6 +74,11 @@ TEST(TypeDocument, KeepsCodeBehindTheUrls) {
   EXPECT_THAT(written, testing::HasSubstr("<Inline url='\"data:text/plain,x\"'/>"));  // code of no shader
 }
 
+TEST(TypeDocument, GivesAFieldItsNameOfX3d) {
+  EXPECT_EQ(typed("#X3D V4.0 utf8\nSwitch { choice [ ] }"), "Switch { children [ ] }\n");
+  EXPECT_EQ(typed_xml("<Switch><Box containerField='choice'/></Switch>"), "Switch {\n  children [\n    Box { }\n  ]\n}\n");
+}
+
 TEST(TypeDocument, KnowsWhatAUseStandsFor) {
   EXPECT_THAT(
       typed("#X3D V4.0 utf8\nPROTO P [ ] { Group { } }\nGroup { children [ DEF A P { } USE A USE Nobody ] }", Encoding::xml),
