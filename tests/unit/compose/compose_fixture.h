@@ -65,11 +65,11 @@ class ComposeTest : public testing::Test {
   }
   std::string fragment_text(const Recipe& recipe, Target target = Target::glsl330) {
     compose_all(recipe, target);
-    return stage(ShaderStage::fragment).text();
+    return std::string(stage(ShaderStage::fragment).text());
   }
   std::string vertex_text(const Recipe& recipe, Target target = Target::glsl330) {
     compose_all(recipe, target);
-    return stage(ShaderStage::vertex).text();
+    return std::string(stage(ShaderStage::vertex).text());
   }
   /// `place code: message`, a line each.
   std::string said() const {

@@ -15,11 +15,11 @@ namespace {
 class TemplatesTest : public ComposeTest {
  protected:
   std::string cut(const std::string& text, const Features& features) {
-    return cut_template(sources_, sources_.add("t", text), features).text();
+    return std::string(cut_template(sources_, sources_.add("t", text), features).text());
   }
   std::string number(const std::string& text, int value) {
     const SourceId id = sources_.add("t", text);
-    return number_names(MappedText(sources_, {id, 0, static_cast<std::uint32_t>(text.size())}), value).text();
+    return std::string(number_names(MappedText(sources_, {id, 0, static_cast<std::uint32_t>(text.size())}), value).text());
   }
 };
 
