@@ -28,7 +28,8 @@ std::size_t type_attributes(const Document& document, Diagnostics& diagnostics) 
   std::size_t count = 0;
   for (const FieldSyntax& field : document.fields) {
     if (field.value.kind != ValueKind::lexical) continue;
-    for (const MappedText& text : document.of(field.value.strings())) count += read_lexical_numbers(text, diagnostics).size();
+    for (const MappedText& text : document.of(field.value.strings()))
+      count += read_lexical_numbers(text, LexicalKind::numbers, diagnostics).numbers.size();
   }
   return count;
 }

@@ -19,7 +19,7 @@ class DialectTest : public testing::Test {
     return upgrade(part_, stage, {});
   }
   std::string upgraded(std::string text, ShaderStage stage = ShaderStage::fragment) {
-    return upgrade_text(std::move(text), stage).text.text();
+    return std::string(upgrade_text(std::move(text), stage).text.text());
   }
   std::string vertex(std::string text) { return upgraded(std::move(text), ShaderStage::vertex); }
   std::vector<std::string> used(std::string text, ShaderStage stage = ShaderStage::fragment) {
