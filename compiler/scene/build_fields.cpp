@@ -284,7 +284,7 @@ NodeList* GraphBuilder::new_list(NodeId id, std::size_t index, bool interface) {
 void GraphBuilder::report_unknown_field(const NodeInfo& info, const Name& name) {
   if (is_reported(DiagnosticId::field_unknown, name.span)) return;
   report(DiagnosticId::field_unknown, name.span,
-         fmt::format("`{}` has no field `{}`{}", info.name, name.text, suggest(name.text, field_names(info))));
+         fmt::format("`{}` has no field `{}`{}", info.name, name.text, suggest(name.text, [&] { return field_names(info); })));
 }
 
 }  // namespace plugc

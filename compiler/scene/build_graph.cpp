@@ -145,15 +145,18 @@ void GraphBuilder::report_element_of_a_prototype(const Name& type) {
 void GraphBuilder::report_unknown_node(const Job& job) {
   const Name& type = job.node->type;
   if (is_reported(DiagnosticId::node_unknown, type.span)) return;
-  std::vector<std::string_view> names;
-  if (!job.node->is_instance) names = node_names();
-  for (const Scope* at = job.scope; at != nullptr; at = at->declared_in) {
-    for (const auto& [name, declared] : at->prototypes) names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
+  const auto known = [&] {
+    std::vector<std::string_view> names;
+    if (!job.node->is_instance) names = node_names();
+    for (const Scope* at = job.scope; at != nullptr; at = at->declared_in) {
+      for (const auto& [name, declared] : at->prototypes) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  };
   const std::string what = job.node->is_instance ? fmt::format("no prototype `{}` is declared before this instance", type.text)
                                                  : fmt::format("unknown node `{}`", type.text);
-  report(DiagnosticId::node_unknown, type.span, what + suggest(type.text, names));
+  report(DiagnosticId::node_unknown, type.span, what + suggest(type.text, known));
 }
 
 void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
@@ -254,10 +257,9 @@ void GraphBuilder::lose_name(Scope& scope, std::string_view name) {
 }
 
 void GraphBuilder::report_unknown_type(const Name& type) {
-  static const std::vector<std::string_view> names = field_type_names();
   if (is_reported(DiagnosticId::field_type, type.span)) return;
   report(DiagnosticId::field_type, type.span,
-         fmt::format("no field type is called `{}`{}", type.text, suggest(type.text, names)));
+         fmt::format("no field type is called `{}`{}", type.text, suggest(type.text, field_type_names)));
 }
 
 bool GraphBuilder::spend(std::size_t work, const Span& span) {
@@ -286,8 +288,11 @@ bool GraphBuilder::may_look_through(std::size_t names) {
   return ++suggestions_ <= kMaxSuggestions && looked_through_ <= kMaxLookedThrough;
 }
 
-std::string GraphBuilder::suggest(std::string_view name, std::span<const std::string_view> candidates) {
-  return may_look_through(candidates.size()) ? did_you_mean(name, candidates) : "";
+std::string GraphBuilder::suggest(std::string_view name, const std::function<std::vector<std::string_view>()>& candidates) {
+  if (!may_look_through(0)) return "";
+  const std::vector<std::string_view> names = candidates();
+  looked_through_ += names.size();
+  return did_you_mean(name, names);
 }
 
 NodeGraph build_graph(Document document, const std::filesystem::path& path, SourceSet& sources, FileAccess& files,

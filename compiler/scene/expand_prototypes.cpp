@@ -216,7 +216,7 @@ ProtoField* GraphBuilder::find_given(const Job& job, Instance& instance, const F
     report(DiagnosticId::field_unknown, span,
            name.empty() ? fmt::format("prototype `{}` has no field for this node", prototype)
                         : fmt::format("prototype `{}` has no field `{}`{}", prototype, name.text,
-                                      suggest(name.text, field_names(instance))));
+                                      suggest(name.text, [&] { return field_names(instance); })));
     return nullptr;
   }
   if (!is && !holds_value(field->declared->access)) {
@@ -279,7 +279,7 @@ ProtoField* GraphBuilder::follow_is(const Scope& scope, const ValueSyntax& is, F
     if (is_reported(DiagnosticId::proto_unknown_field, is.span)) return nullptr;
     report(DiagnosticId::proto_unknown_field, is.span,
            fmt::format("prototype `{}` declares no field `{}`{}", instance.prototype->syntax->name.text, name,
-                       suggest(name, field_names(instance))));
+                       suggest(name, [&] { return field_names(instance); })));
     return nullptr;
   }
   if (field->type != type && field->type != FieldType::unknown && type != FieldType::unknown) {

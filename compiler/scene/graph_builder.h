@@ -7,6 +7,7 @@
 // open when its own name is USEd contains itself.
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -247,14 +248,15 @@ class GraphBuilder {
   std::optional<RouteEnd> node_end(NodeId id, const Name& field, bool outgoing);
   const InterfaceField* find_interface(NodeId id, std::string_view name);
   bool inner_field_allows(NodeId id, std::string_view name, EventUse use);
-  void report_no_event(std::string_view type, const Name& field, bool outgoing, std::span<const std::string_view> names);
+  void report_no_event(std::string_view type, const Name& field, bool outgoing, const std::vector<std::string_view>& names);
   void follow_links(const Link& from, bool outgoing, std::vector<Link>& ends, const Span& span);
 
   /// Once a place: a prototype's body is reported on once, however often it is expanded.
   void report(DiagnosticId id, const Span& span, const std::string& message);
   bool is_reported(DiagnosticId id, const Span& span) const;
   std::string unknown_name_hint(const Scope& scope, const Name& name);
-  std::string suggest(std::string_view name, std::span<const std::string_view> candidates);
+  /// The names are gathered only where one may still be suggested.
+  std::string suggest(std::string_view name, const std::function<std::vector<std::string_view>()>& candidates);
   std::string suggest_defined(const Scope& scope, std::string_view name);
   /// Whether one more name may be searched for among that many.
   bool may_look_through(std::size_t names);

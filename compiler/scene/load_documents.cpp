@@ -17,6 +17,14 @@ namespace {
 /// What an inlined file costs beside its nodes, in nodes: it has name spaces of its own.
 constexpr std::size_t kInlineWork = 16;
 
+template <typename Map>
+std::vector<std::string_view> sorted_names(const Map& map) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, what] : map) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 Span place_of(const MappedText& url, const Span& otherwise) {
   const Span span = url.empty() ? Span() : url.locate(0, url.size());
   return span.valid() ? span : otherwise;
@@ -142,9 +150,7 @@ Definition* GraphBuilder::find_import(Scope& scope, const ImportSyntax& statemen
   const Name& name = statement.name;
   const auto exported = inlined->exports.find(name.text);
   if (exported == inlined->exports.end()) {
-    std::vector<std::string_view> names;
-    for (const auto& [alias, def] : inlined->exports) names.push_back(alias);
-    std::sort(names.begin(), names.end());
+    const auto names = [&] { return sorted_names(inlined->exports); };
     const bool is_there = inlined->definitions.contains(name.text);
     const std::string hint = is_there ? fmt::format("; it needs an `EXPORT {}`", name.text) : suggest(name.text, names);
     report(DiagnosticId::import_invalid, name.span,
@@ -213,9 +219,7 @@ Prototype* GraphBuilder::find_external(const Prototype& prototype, const MappedT
   }
   const std::string_view wanted = text.substr(hash + 1);
   if (const auto found = names.prototypes.find(wanted); found != names.prototypes.end()) return found->second.back();
-  std::vector<std::string_view> declared;
-  for (const auto& [name, prototypes] : names.prototypes) declared.push_back(name);
-  std::sort(declared.begin(), declared.end());
+  const auto declared = [&] { return sorted_names(names.prototypes); };
   failures.report(DiagnosticId::externproto_missing, span,
                   fmt::format("`{}` declares no prototype `{}`{}", text.substr(0, hash), wanted, suggest(wanted, declared)));
   return nullptr;
@@ -236,7 +240,7 @@ void GraphBuilder::check_declaration(const Prototype& external, const Prototype&
     if (found == by_name.end()) {
       report(DiagnosticId::field_unknown, name.span,
              fmt::format("the prototype `{}` that this declares has no field `{}`{}", target.syntax->name.text, name.text,
-                         suggest(name.text, names)));
+                         suggest(name.text, [&] { return names; })));
       continue;
     }
     const InterfaceSyntax& field = *found->second;

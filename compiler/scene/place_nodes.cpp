@@ -103,7 +103,7 @@ bool GraphBuilder::choose_container(Destination& to, NodeId id) {
   if (is_wrong && !is_reported(DiagnosticId::field_unknown, written.span)) {
     report(DiagnosticId::field_unknown, written.span,
            fmt::format("`{}` has no field `{}` for nodes{}", holder.name, written.text,
-                       suggest(written.text, node_field_names(holder))));
+                       suggest(written.text, [&] { return node_field_names(holder); })));
   }
   if (takes_nodes(renamed) && !takes_nodes(find_field_info(holder, written.text))) report_renamed(holder, written, *renamed);
   to.field = takes_nodes(renamed) ? renamed : container_field_of(holder, node, written.text);

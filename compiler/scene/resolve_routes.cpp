@@ -133,11 +133,11 @@ std::optional<RouteEnd> GraphBuilder::node_end(NodeId id, const Name& field, boo
 }
 
 void GraphBuilder::report_no_event(std::string_view type, const Name& field, bool outgoing,
-                                   std::span<const std::string_view> names) {
+                                   const std::vector<std::string_view>& names) {
   if (is_reported(DiagnosticId::route_invalid, field.span)) return;
   report(DiagnosticId::route_invalid, field.span,
          fmt::format("`{}` has no field `{}` that {} events{}", type, field.text, outgoing ? "sends" : "receives",
-                     suggest(field.text, names)));
+                     suggest(field.text, [&] { return names; })));
 }
 
 /// Each step leads one prototype deeper, so the recursion is no deeper than kMaxProtoDepth.

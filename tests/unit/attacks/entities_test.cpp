@@ -18,7 +18,7 @@ TEST(Attacks, ABillionLaughsAreNotHeard) {
   EXPECT_EQ(built->said(),
             "s.x3d:2:15: warning: declarations of a document type are passed over; plugc knows the five entities of XML alone "
             "[doctype-subset]\n"
-            "s.x3d:4:19: error: this `&` begins no entity of XML; write `&amp;` [syntax]\n");
+            "s.x3d:4:19: error: XML has no entity `&l9;`; write `&amp;` for the character `&` [syntax]\n");
   EXPECT_EQ(built->graph.string(built->root(), "title"), "&l9;");
 }
 
