@@ -36,6 +36,15 @@ void prepare_effect_code(const Scene& scene, PreparedScene& prepared, Diagnostic
   outline_all(scene.shaders, prepared.shaders);
 }
 
+Primitive primitive_of(const Mesh& mesh) {
+  switch (mesh.topology) {
+    case Topology::points: return Primitive::points;
+    case Topology::lines: return Primitive::lines;
+    case Topology::triangles: break;
+  }
+  return Primitive::triangles;
+}
+
 /// X3D 4.1, 12.2.3: alpha between 0 and 1 blends, alpha that is all or nothing is tested.
 AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
   AlphaUse use = AlphaUse::opaque;
@@ -63,8 +72,10 @@ void prepare_recipes(PreparedScene& prepared) {
     if (plan.mesh == nullptr) continue;
     const AlphaUse alpha = shape_alpha(parts, shape);
     plan.blended = alpha == AlphaUse::blended;
+    const bool shader_has_geometry =
+        shape.shader >= 0 && prepared.shaders[static_cast<std::size_t>(shape.shader)].has_geometry_main;
     const ShapeFacts facts{!plan.mesh->normals.empty(), !plan.mesh->colors.empty(), plan.mesh->solid,
-                           alpha == AlphaUse::tested};
+                           alpha == AlphaUse::tested,   primitive_of(*plan.mesh),   shader_has_geometry};
     const Recipe recipe = make_recipe(parts.scene, shape, facts, prepared.effects);
     plan.program = recipe_index(recipe);
     const bool casts =

@@ -1,9 +1,12 @@
 // What an owner only declares is sought elsewhere: a function without a body in the shape's other effects (the thesis's
-// library parts), an input that no vertex part of its own effect writes among the varyings of the others, a uniform among the
-// fields of its effect and then of the ComposedShader. What is found gets the name that it has there.
+// library parts), an input that no part of its own effect writes in an earlier stage among the varyings of the others, a
+// uniform among the fields of its effect and then of the ComposedShader. What is found gets the name that it has there.
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -19,11 +22,17 @@ struct Definition {
   const FunctionOutline* function = nullptr;
 };
 
+/// How declarations in two stages are one variable: as a uniform, or as what a stage hands to the next.
+enum class Link : std::uint8_t { none, uniform, into_geometry, into_fragment };
+
 /// The first declaration of a variable that stages share.
 struct Linked {
   const PlacedUnit* unit = nullptr;
   const GlobalOutline* global = nullptr;
 };
+
+/// Outputs of one name, by owner.
+using Writers = std::map<std::size_t, const GlobalOutline*>;
 
 class NameBinder {
  public:
@@ -32,11 +41,15 @@ class NameBinder {
 
  private:
   void index_unit(const PlacedUnit& unit);
+  std::string_view name_of(std::size_t owner, std::string_view name) const;
+  Link link(const PlacedUnit& unit, const GlobalOutline& global) const;
   void compare_stages(const PlacedUnit& unit);
   void bind_unit(const PlacedUnit& unit);
   void borrow_name(const PlacedUnit& unit, std::string_view name, std::size_t other);
   void step_aside(const PlacedUnit& unit, std::string_view name);
   void bind_function(const PlacedUnit& unit, const FunctionOutline& prototype);
+  Writers writers(ShaderStage reader, std::string_view name) const;
+  std::string unwritten_message(const PlacedUnit& unit, const GlobalOutline& input) const;
   void bind_input(const PlacedUnit& unit, const GlobalOutline& input);
   void check_castle_inputs(const PlacedUnit& unit);
   std::set<std::size_t> one_for_each_author(const std::set<std::size_t>& owners) const;
@@ -47,8 +60,8 @@ class NameBinder {
 
   Composition& c_;
   std::map<std::pair<ShaderStage, std::string_view>, std::vector<Definition>> functions_;
-  std::map<std::string_view, std::map<std::size_t, const GlobalOutline*>> outputs_;  // of the vertex stage: name -> by owner
-  std::map<std::pair<std::size_t, std::string_view>, Linked> linked_;
+  std::array<std::map<std::string_view, Writers>, kStageCount> outputs_;  // of each stage: by name
+  std::map<std::tuple<Link, std::size_t, std::string_view>, Linked> linked_;
   std::vector<std::pair<const PlacedUnit*, std::string_view>> idle_;  // functions that are declared, and no more
   std::set<std::string_view> written_;                                // castle_ names that the vertex stage uses
   std::set<std::string> listed_;
@@ -81,12 +94,11 @@ void NameBinder::index_unit(const PlacedUnit& unit) {
   for (const FunctionOutline& function : unit.code->outline.functions) {
     if (function.is_definition()) functions_[{unit.stage, function.name}].push_back({unit.owner, &function});
   }
-  if (unit.stage != ShaderStage::vertex) return;
   for (const GlobalOutline& global : unit.code->outline.globals) {
     const bool written = global.storage == Storage::out && is_used(*unit.code, global.name, {global.name_begin});
-    if (written) outputs_[global.name].try_emplace(unit.owner, &global);
+    if (written) outputs_[static_cast<std::size_t>(unit.stage)][global.name].try_emplace(unit.owner, &global);
   }
-  written_.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
+  if (unit.stage == ShaderStage::vertex) written_.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
 }
 
 bool same_parameters(const FunctionOutline& a, const FunctionOutline& b) {
@@ -110,15 +122,34 @@ std::set<std::size_t> NameBinder::one_for_each_author(const std::set<std::size_t
   return kept;
 }
 
-/// Within a stage, unequal declarations are found where they are written. A uniform of both stages, and what one stage hands
-/// to the other, are compared here: else only the linker would see them, without a place.
+/// What the owner's name is called once no two owners' names meet.
+std::string_view NameBinder::name_of(std::size_t owner, std::string_view name) const {
+  const Owner::Renames& renames = c_.owners[owner].renames;
+  const auto renamed = renames.find(name);
+  return renamed == renames.end() ? name : std::string_view(renamed->second);
+}
+
+/// What the vertex stage writes goes to the fragment stage where nothing stands between or plugc passes it on.
+Link NameBinder::link(const PlacedUnit& unit, const GlobalOutline& global) const {
+  if (global.storage == Storage::uniform) return Link::uniform;
+  if (unit.stage == ShaderStage::vertex) {
+    if (global.storage != Storage::out) return Link::none;
+    return !c_.has_geometry || c_.passed.contains(name_of(unit.owner, global.name)) ? Link::into_fragment : Link::into_geometry;
+  }
+  if (global.storage == Storage::in) return unit.stage == ShaderStage::geometry ? Link::into_geometry : Link::into_fragment;
+  return unit.stage == ShaderStage::geometry && global.storage == Storage::out ? Link::into_fragment : Link::none;
+}
+
+/// Within a stage, unequal declarations are found where they are written. A uniform of several stages, and what one stage
+/// hands to another, are compared here: else only the linker would see them, without a place.
 void NameBinder::compare_stages(const PlacedUnit& unit) {
-  if (unit.stage == ShaderStage::geometry) return;
   for (const GlobalOutline& global : unit.code->outline.globals) {
-    const bool handed_over = global.storage == (unit.stage == ShaderStage::vertex ? Storage::out : Storage::in);
-    if ((global.storage != Storage::uniform && !handed_over) || global.name.starts_with("castle_")) continue;
-    const Linked& first = linked_.try_emplace({unit.owner, global.name}, Linked{&unit, &global}).first->second;
-    const bool equal = first.global->type == global.type && first.global->array == global.array;
+    const Link as = link(unit, global);
+    if (as == Link::none || global.name.starts_with("castle_")) continue;
+    const std::string_view name = as == Link::into_fragment ? unit.code->macro_word(global.name) : global.name;
+    const Linked& first = linked_.try_emplace({as, unit.owner, name}, Linked{&unit, &global}).first->second;
+    // a geometry stage reads an array of what one vertex has
+    const bool equal = first.global->type == global.type && (as == Link::into_geometry || first.global->array == global.array);
     if (equal || first.unit->stage == unit.stage) continue;
     report(DiagnosticId::unequal_declarations, unit, global.name, global.name_begin,
            fmt::format("`{}` is declared here as `{}{}`, and differently in the {} stage", global.name, global.type,
@@ -129,11 +160,8 @@ void NameBinder::compare_stages(const PlacedUnit& unit) {
 
 /// In this stage the name is the other owner's; what the owner means by it in another stage stays its own.
 void NameBinder::borrow_name(const PlacedUnit& unit, std::string_view name, std::size_t other) {
-  const Owner::Renames& theirs = c_.owners[other].renames;
-  const auto renamed = theirs.find(name);
-  std::string final_name(renamed == theirs.end() ? name : std::string_view(renamed->second));
-  c_.owners[unit.owner].borrowed[static_cast<std::size_t>(unit.stage)].insert_or_assign(std::string(name),
-                                                                                        std::move(final_name));
+  auto& borrowed = c_.owners[unit.owner].borrowed[static_cast<std::size_t>(unit.stage)];
+  borrowed.insert_or_assign(std::string(name), std::string(name_of(other, name)));
 }
 
 /// A function that nobody defines and nobody calls must not meet another owner's name either, unless an overload of it has
@@ -169,29 +197,60 @@ void NameBinder::bind_function(const PlacedUnit& unit, const FunctionOutline& pr
                      to_text(unit.stage)));
 }
 
+/// Who writes the name for a stage to read. Fragment code behind a geometry stage reads what that writes, and what passes it.
+Writers NameBinder::writers(ShaderStage reader, std::string_view name) const {
+  const auto written_in = [&](ShaderStage stage) {
+    const auto& outputs = outputs_[static_cast<std::size_t>(stage)];
+    const auto found = outputs.find(name);
+    return found == outputs.end() ? Writers() : found->second;
+  };
+  Writers all = written_in(ShaderStage::vertex);
+  if (reader == ShaderStage::geometry || !c_.has_geometry) return all;
+  std::erase_if(all, [&](const auto& writer) { return !c_.passed.contains(name_of(writer.first, name)); });
+  all.merge(written_in(ShaderStage::geometry));
+  return all;
+}
+
+/// Those whose output is what the input asks for; a geometry stage reads an array of it.
+std::set<std::size_t> owners_that_fit(const Writers& writers, const GlobalOutline& input, ShaderStage reader) {
+  std::set<std::size_t> owners;
+  for (const auto& [owner, output] : writers) {
+    const bool sizes_fit = reader == ShaderStage::geometry ? !input.array.empty() : output->array == input.array;
+    if (sizes_fit && output->type == input.type) owners.insert(owner);
+  }
+  return owners;
+}
+
+std::string NameBinder::unwritten_message(const PlacedUnit& unit, const GlobalOutline& input) const {
+  const Writers in_vertex = writers(ShaderStage::geometry, input.name);
+  if (unit.stage == ShaderStage::fragment && c_.has_geometry && !owners_that_fit(in_vertex, input, unit.stage).empty()) {
+    return fmt::format(
+        "`{}` is written in the vertex stage and does not get through the geometry shader of this shape; write "
+        "`/* VARYING-PASSTHROUGH-GEOMETRY-SHADERS */` in front of `varying {} {};` in the `VERTEX` part",
+        input.name, input.type, input.name);
+  }
+  return fmt::format("nothing writes `{}`; declare it as `varying {} {};` in a `VERTEX` part too and write it there",
+                     input.name, input.type, input.name);
+}
+
 void NameBinder::bind_input(const PlacedUnit& unit, const GlobalOutline& input) {
-  const auto& outputs = outputs_[input.name];
-  if (outputs.contains(unit.owner) || !is_used(*unit.code, input.name, {input.name_begin})) return;
-  std::set<std::size_t> candidates;
-  for (const auto& [owner, output] : outputs) {
-    if (output->type == input.type && output->array == input.array) candidates.insert(owner);
-  }
-  candidates = one_for_each_author(candidates);
+  const std::string_view read = unit.code->macro_word(input.name);
+  const Writers all = writers(unit.stage, read);
+  if (all.contains(unit.owner) || !is_used(*unit.code, input.name, {input.name_begin})) return;
+  const std::set<std::size_t> candidates = one_for_each_author(owners_that_fit(all, input, unit.stage));
   if (candidates.size() == 1) {
-    return borrow_name(unit, input.name, *candidates.begin());
+    return borrow_name(unit, read, *candidates.begin());
   }
-  const std::string message =
-      candidates.empty()
-          ? fmt::format("nothing writes `{}`; declare it as `varying {} {};` in a `VERTEX` part too and write it there",
-                        input.name, input.type, input.name)
-          : fmt::format("`{}` is read here and written by {} other effects; write it in this one", input.name,
-                        candidates.size());
+  const std::string message = candidates.empty()
+                                  ? unwritten_message(unit, input)
+                                  : fmt::format("`{}` is read here and written by {} other effects; write it in this one",
+                                                input.name, candidates.size());
   report(DiagnosticId::varying_unwritten, unit, input.name, input.name_begin, message);
 }
 
 /// castle_ varyings that this shape's vertex stage does not have: `castle_Color` under Phong shading, say.
 void NameBinder::check_castle_inputs(const PlacedUnit& unit) {
-  if (c_.owners[unit.owner].kind != OwnerKind::effect) return;
+  if (c_.owners[unit.owner].kind != OwnerKind::effect || c_.recipe.depth_only) return;
   for (const std::string& name : unit.code->castle_names) {
     const auto meaning = find_castle_name(name);
     if (!meaning || meaning->kind != CastleKind::varying || written_.contains(name)) continue;
@@ -209,7 +268,7 @@ void NameBinder::bind_unit(const PlacedUnit& unit) {
   for (const FunctionOutline& function : unit.code->outline.functions) {
     if (!function.is_definition()) bind_function(unit, function);
   }
-  if (unit.stage != ShaderStage::fragment) return;
+  if (unit.stage == ShaderStage::vertex) return;
   for (const GlobalOutline& global : unit.code->outline.globals) {
     if (global.storage == Storage::in && !global.name.starts_with("castle_")) bind_input(unit, global);
   }

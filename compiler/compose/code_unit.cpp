@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "compose/varying_passthrough.h"
+#include "glsl/scan.h"
 
 namespace plugc {
 namespace {
@@ -28,6 +30,7 @@ void report_problems(const CodeUnit& unit, Diagnostics& diagnostics) {
   }
 }
 
+constexpr std::string_view kGeometryQuestion = "HAS_GEOMETRY_SHADER";
 constexpr std::string_view kEsslQuestions[] = {"GL_ES", "__VERSION__"};
 
 EffectCode::Part make_part(const ShaderSource& source, Target target) {
@@ -38,6 +41,8 @@ EffectCode::Part make_part(const ShaderSource& source, Target target) {
   if (light || source.stage == PartStage::vertex) part.in_vertex = make(ShaderStage::vertex);
   if (light || source.stage == PartStage::fragment) part.in_fragment = make(ShaderStage::fragment);
   if (source.stage == PartStage::geometry) part.in_geometry = make(ShaderStage::geometry);
+  if (part.in_fragment && source.text.text().find(kGeometryQuestion) != std::string::npos)
+    part.behind_geometry = make_code_unit(source.text, ShaderStage::fragment, target, true);
   return part;
 }
 
@@ -72,10 +77,26 @@ std::string_view CodeUnit::written_name(std::string_view name) const {
   return found == renamed_names.end() ? name : std::string_view(found->written);
 }
 
-std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage, Target target) {
-  static const std::vector<MacroDefinition> kEssl = {{"GL_ES", "1"}, {"__VERSION__", "300"}};
-  const auto predefined =
-      target == Target::essl300 ? std::span<const MacroDefinition>(kEssl) : std::span<const MacroDefinition>();
+std::string_view CodeUnit::macro_word(std::string_view name) const {
+  const auto macro =
+      std::find_if(outline.macros.begin(), outline.macros.end(), [&](const MacroOutline& m) { return m.name == name; });
+  if (macro == outline.macros.end()) return name;
+  const std::vector<Token> body = scan_range(text.text(), macro->body_begin, macro->end);
+  return body.size() == 1 && body.front().kind == TokenKind::identifier ? at(body.front()) : name;
+}
+
+const FunctionOutline* find_main(const CodeUnit& unit) {
+  const auto& functions = unit.outline.functions;
+  const auto found = std::find_if(functions.begin(), functions.end(), [](const FunctionOutline& function) {
+    return function.name == "main" && function.is_definition();
+  });
+  return found == functions.end() ? nullptr : &*found;
+}
+
+std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage, Target target, bool behind_geometry) {
+  static const std::vector<MacroDefinition> kNone, kEssl = {{"GL_ES", "1"}, {"__VERSION__", "300"}},
+                                                   kBehind = {{std::string(kGeometryQuestion), "1"}};
+  const auto& predefined = target == Target::essl300 ? kEssl : behind_geometry ? kBehind : kNone;
   auto unit = std::make_shared<CodeUnit>();
   UpgradedText upgraded = upgrade(text, stage, predefined);
   unit->text = std::move(upgraded.text);
@@ -101,18 +122,19 @@ EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics)
     if (!seen.insert(source.node).second) continue;
     EffectCode::Part part = make_part(source, Target::glsl330);
     if (asks_for_essl(source)) part.for_essl = std::make_shared<const EffectCode::Part>(make_part(source, Target::essl300));
-    if (part.in_geometry) {
-      diagnostics.report(DiagnosticId::not_drawn, source.span,
-                         "a `GEOMETRY` part is not composed yet; the other parts of its effect are");
-    }
     bool too_large = false;
-    for (const auto& unit : {part.in_vertex, part.in_fragment, part.in_geometry}) {
+    for (const auto& [unit, stage] :
+         {std::pair(part.in_vertex, ShaderStage::vertex), std::pair(part.in_fragment, ShaderStage::fragment),
+          std::pair(part.in_geometry, ShaderStage::geometry)}) {
       if (!unit) continue;
       report_problems(*unit, diagnostics);
+      if (source.stage != PartStage::light) check_passthrough_markers(*unit, stage, diagnostics);
       too_large = too_large || unit->tokens.too_many;
       if (!too_large) note_names(*unit, code);
     }
-    if (!too_large) code.parts.push_back(std::move(part));
+    if (too_large) continue;
+    code.has_geometry_main = code.has_geometry_main || (part.in_geometry && find_main(*part.in_geometry) != nullptr);
+    code.parts.push_back(std::move(part));
   }
   sort_unique(code.plugs);
   sort_unique(code.castle_names);

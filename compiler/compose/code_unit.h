@@ -30,28 +30,37 @@ struct CodeUnit {
   Span span(std::uint32_t begin, std::uint32_t end) const { return text.locate(begin, end); }
   /// A name as its author wrote it.
   std::string_view written_name(std::string_view name) const;
+  /// What a name stands for: the word that a macro of that name is, else the name itself.
+  std::string_view macro_word(std::string_view name) const;
 };
 
 /// `PLUG_name` -> `name`; "" for other names.
 std::string_view plug_name(std::string_view function_name);
 
-/// Upgrades and outlines a text for a stage. The target decides what `GL_ES` and `__VERSION__` make of its `#if`s.
-std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage, Target target = Target::glsl330);
+/// The unit's own `main`; null where it has none.
+const FunctionOutline* find_main(const CodeUnit& unit);
+
+/// Upgrades and outlines a text for a stage. The target decides what `GL_ES` and `__VERSION__` make of its `#if`s, and
+/// `behind_geometry` what `HAS_GEOMETRY_SHADER` does.
+std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage, Target target = Target::glsl330,
+                                               bool behind_geometry = false);
 
 /// An effect's or ComposedShader's parts. A LIGHT part has two forms, one for each stage that may light.
 struct EffectCode {
   struct Part {
     PartStage stage = PartStage::vertex;
-    std::shared_ptr<const CodeUnit> in_vertex;    ///< Set for VERTEX and LIGHT.
-    std::shared_ptr<const CodeUnit> in_fragment;  ///< Set for FRAGMENT and LIGHT.
-    std::shared_ptr<const CodeUnit> in_geometry;  ///< Set for GEOMETRY.
-    std::shared_ptr<const Part> for_essl;         ///< The part as ESSL reads it, when it asks for `GL_ES` or `__VERSION__`.
+    std::shared_ptr<const CodeUnit> in_vertex;        ///< Set for VERTEX and LIGHT.
+    std::shared_ptr<const CodeUnit> in_fragment;      ///< Set for FRAGMENT and LIGHT.
+    std::shared_ptr<const CodeUnit> in_geometry;      ///< Set for GEOMETRY.
+    std::shared_ptr<const CodeUnit> behind_geometry;  ///< `in_fragment` where there is a geometry stage, when it asks for that.
+    std::shared_ptr<const Part> for_essl;             ///< The part as ESSL reads it, when it asks for `GL_ES` or `__VERSION__`.
 
     const Part& form(Target target) const { return target == Target::essl300 && for_essl ? *for_essl : *this; }
   };
   std::vector<Part> parts;                ///< Each EffectPart node once, however often it is USEd.
   std::vector<std::string> plugs;         ///< That some part fills: sorted, each once.
   std::vector<std::string> castle_names;  ///< That some part uses: sorted, each once.
+  bool has_geometry_main = false;         ///< Some GEOMETRY part has a `main`.
 
   bool fills(std::string_view plug) const;        ///< Some part defines PLUG_plug.
   bool uses(std::string_view castle_name) const;  ///< Some part names it.

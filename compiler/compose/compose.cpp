@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compose/castle_names.h"
+#include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
 
 namespace plugc {
@@ -18,8 +19,10 @@ void Composition::mark_faulty(const PlacedUnit& unit) {
   if (std::find(faulty.begin(), faulty.end(), owner.index) == faulty.end()) faulty.push_back(owner.index);
 }
 
-std::string Composition::final_name(const PlacedUnit& unit, std::string_view name) const {
-  const Owner& owner = owners[unit.owner];
+namespace {
+
+std::string name_in_stages(const Composition& c, const PlacedUnit& unit, std::string_view name) {
+  const Owner& owner = c.owners[unit.owner];
   const Owner::Renames& borrowed = owner.borrowed[static_cast<std::size_t>(unit.stage)];
   if (const auto found = borrowed.find(name); found != borrowed.end()) return found->second;
   if (const auto found = owner.renames.find(name); found != owner.renames.end()) return found->second;
@@ -27,6 +30,26 @@ std::string Composition::final_name(const PlacedUnit& unit, std::string_view nam
     if (std::string numbered = number_own_light(name, unit.scope.number); !numbered.empty()) return numbered;
   }
   return std::string(name);
+}
+
+}  // namespace
+
+std::string Composition::final_name(const PlacedUnit& unit, std::string_view name) const {
+  std::string found = name_in_stages(*this, unit, name);
+  if (passed.empty() || unit.stage != ShaderStage::fragment) return found;
+  const auto behind = passed.find(found);
+  return behind == passed.end() ? found : behind->second;
+}
+
+PlacedUnit make_placed_unit(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, PlugScope scope) {
+  PlacedUnit unit;
+  unit.calls.resize(code->outline.markers.size());
+  unit.function_names.resize(code->outline.functions.size());
+  unit.code = std::move(code);
+  unit.stage = stage;
+  unit.owner = owner;
+  unit.scope = scope;
+  return unit;
 }
 
 Span name_span(const CodeUnit& code, std::string_view name, std::uint32_t begin) {
@@ -37,14 +60,17 @@ ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target 
   ComposedProgram program;
   Composition composition(recipe, input, target, diagnostics, program);
   place_units(composition);
+  place_geometry_stage(composition);
   // from here the list of units is complete, and its order is the order of calls
   resolve_plugs(composition);
   // from here every plug function has its calls and its name
   name_owners(composition);
+  note_passed_varyings(composition);
   // from here no two owners' names meet
   bind_names(composition);
   // from here what an owner only declares has its definition's name, and uniforms know their fields
-  for (const ShaderStage stage : {ShaderStage::vertex, ShaderStage::fragment}) {
+  for (const ShaderStage stage : {ShaderStage::vertex, ShaderStage::geometry, ShaderStage::fragment}) {
+    if (stage == ShaderStage::geometry && !composition.has_geometry) continue;
     program.stages.push_back({stage, stage_text(composition, stage)});
   }
   return program;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "compose/castle_names.h"
+#include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
 
 namespace plugc {
@@ -15,16 +16,14 @@ class Placer {
  public:
   explicit Placer(Composition& composition)
       : c_(composition), recipe_(composition.recipe), lighting_(recipe_.gouraud ? ShaderStage::vertex : ShaderStage::fragment) {
-    for (const int effect : all_effects(recipe_)) {
-      const auto& names = c_.input.effects[static_cast<std::size_t>(effect)].castle_names;
-      used_names_.insert(names.begin(), names.end());
-    }
+    c_.has_geometry = wants_geometry_stage(c_);
+    for (const int effect : all_effects(recipe_)) note_used_names(c_.input.effects[static_cast<std::size_t>(effect)]);
   }
 
   void place();
 
  private:
-  void add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, PlugScope scope);
+  void note_used_names(const EffectCode& code);
   void add_template(std::string_view name, ShaderStage stage, const Features& features, PlugScope scope);
   void place_base();
   bool place_shader();
@@ -46,19 +45,19 @@ class Placer {
   bool base_adds_lights_ = false;          // the base shader has the plug `add_light`, not only its older form
 };
 
-void Placer::add(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, PlugScope scope) {
-  PlacedUnit unit;
-  unit.calls.resize(code->outline.markers.size());
-  unit.function_names.resize(code->outline.functions.size());
-  unit.code = std::move(code);
-  unit.stage = stage;
-  unit.owner = owner;
-  unit.scope = scope;
-  c_.units.push_back(std::move(unit));
+/// Of the code that can come to stand in the program.
+void Placer::note_used_names(const EffectCode& code) {
+  for (const EffectCode::Part& part : code.parts) {
+    const std::pair<const CodeUnit*, bool> forms[] = {
+        {part.in_vertex.get(), true}, {part.in_geometry.get(), c_.has_geometry}, {part.in_fragment.get(), !recipe_.depth_only}};
+    for (const auto& [unit, placed] : forms) {
+      if (unit != nullptr && placed) used_names_.insert(unit->castle_names.begin(), unit->castle_names.end());
+    }
+  }
 }
 
 void Placer::add_template(std::string_view name, ShaderStage stage, const Features& features, PlugScope scope) {
-  add(c_.input.templates.get(name, stage, features, scope.number), stage, 0, scope);
+  c_.units.push_back(make_placed_unit(c_.input.templates.get(name, stage, features, scope.number), stage, 0, scope));
 }
 
 Features Placer::base_features() const {
@@ -69,11 +68,11 @@ Features Placer::base_features() const {
       {recipe_.normals, "NORMALS"},
       {recipe_.two_sided, "TWO_SIDED"},
       {recipe_.color_per_vertex, "COLOR_PER_VERTEX"},
-      {recipe_.vertex_eye, "VERTEX_EYE"},
+      {recipe_.vertex_eye || (recipe_.depth_only && effects_use("castle_vertex_eye")), "VERTEX_EYE"},
       {recipe_.ambient, "AMBIENT"},
       {recipe_.specular, "SPECULAR"},
       {recipe_.emissive, "EMISSIVE"},
-      {(recipe_.normals && !recipe_.gouraud) || effects_use("castle_normal_eye"), "NORMAL_EYE"}};
+      {(recipe_.normals && !recipe_.gouraud && !recipe_.depth_only) || effects_use("castle_normal_eye"), "NORMAL_EYE"}};
   for (const auto& [set, name] : all) {
     if (set) features.insert(name);
   }
@@ -105,7 +104,7 @@ bool Placer::base_has_marker(std::string_view name) const {
 
 /// A ComposedShader takes the place of the base shader when it has both stages.
 bool Placer::place_shader() {
-  if (recipe_.shader < 0) return false;
+  if (recipe_.shader < 0 || c_.result.faulty_shader) return false;
   const auto index = static_cast<std::size_t>(recipe_.shader);
   const EffectCode& code = c_.input.shaders[index];
   const auto has = [&](auto member) {
@@ -175,20 +174,28 @@ void Placer::place_libraries() {
 }
 
 void Placer::place_code(const EffectCode& code, std::size_t owner, PlugScope scope) {
+  const auto add = [&](const std::shared_ptr<const CodeUnit>& unit, ShaderStage stage) {
+    c_.units.push_back(make_placed_unit(unit, stage, owner, scope));
+  };
   for (const EffectCode::Part& any_form : code.parts) {
     const EffectCode::Part& part = any_form.form(c_.target);
+    const auto& in_fragment = c_.has_geometry && part.behind_geometry ? part.behind_geometry : part.in_fragment;
     if (part.stage == PartStage::light) {
-      add(lighting_ == ShaderStage::vertex ? part.in_vertex : part.in_fragment, lighting_, owner, scope);
+      add(lighting_ == ShaderStage::vertex ? part.in_vertex : in_fragment, lighting_);
     } else if (part.stage == PartStage::vertex) {
-      add(part.in_vertex, ShaderStage::vertex, owner, scope);
+      add(part.in_vertex, ShaderStage::vertex);
+    } else if (part.stage == PartStage::geometry && c_.has_geometry) {
+      add(part.in_geometry, ShaderStage::geometry);
     } else if (part.stage == PartStage::fragment && !recipe_.depth_only) {
-      add(part.in_fragment, ShaderStage::fragment, owner, scope);
+      add(in_fragment, ShaderStage::fragment);
     }
   }
 }
 
 void Placer::place_effects(const std::vector<int>& effects, PlugScope scope) {
+  const auto& faulty = c_.result.faulty_effects;  // those that the target cannot have
   for (const int effect : effects) {
+    if (std::find(faulty.begin(), faulty.end(), effect) != faulty.end()) continue;
     c_.owners.push_back({OwnerKind::effect, effect, {}, {}});
     place_code(c_.input.effects[static_cast<std::size_t>(effect)], c_.owners.size() - 1, scope);
   }

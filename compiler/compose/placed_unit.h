@@ -51,7 +51,11 @@ struct PlacedUnit {
   bool dropped = false;                      ///< A piece of the renderer whose plugs the base shader lacks.
   std::vector<std::string> function_names;   ///< Final names of plug functions by function; others are empty.
   std::vector<std::vector<PlugCall>> calls;  ///< By marker.
+  std::vector<std::string> passes;  ///< Varyings that this unit hands through the geometry stage, as its owner names them.
 };
+
+PlacedUnit make_placed_unit(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner = 0,
+                            PlugScope scope = {});
 
 /// The stages in which a name counts.
 using StageMask = unsigned;
@@ -77,6 +81,13 @@ class TakenNames {
   std::unordered_map<std::size_t, std::unordered_set<std::string_view>> words_;
 };
 
+/// What the head of a geometry stage says.
+struct GeometryStage {
+  int input_size = 3;  ///< Vertices of an input primitive.
+  std::string layout;  ///< `layout(triangles) in;` and a line end.
+  Span layout_span;
+};
+
 struct Composition {
   Composition(const Recipe& asked, const ComposeInput& from, Target for_target, Diagnostics& sink, ComposedProgram& program)
       : recipe(asked), input(from), target(for_target), diagnostics(sink), result(program) {}
@@ -89,12 +100,17 @@ struct Composition {
   std::vector<Owner> owners = {Owner{}};
   std::vector<PlacedUnit> units;  ///< In call order, which is also text order within a stage.
   TakenNames taken;
+  bool has_geometry = false;  ///< The program has a geometry stage.
+  GeometryStage geometry;
+  std::map<std::string, std::string, std::less<>>
+      passed;  ///< Final names of varyings in front of the geometry stage and behind it.
 
   const SceneEffect& author(const Owner& owner) const {
     return (owner.kind == OwnerKind::shader ? input.scene.shaders : input.scene.effects)[static_cast<std::size_t>(owner.index)];
   }
   bool by_author(const PlacedUnit& unit) const { return owners[unit.owner].kind != OwnerKind::renderer; }
-  /// A name as the composed text has it; in a light's own effect `castle_LightSource...` is that light's.
+  /// A name as the composed text has it; in a light's own effect `castle_LightSource...` is that light's, and in fragment code
+  /// a varying that has passed a geometry stage has the name that it has there.
   std::string final_name(const PlacedUnit& unit, std::string_view name) const;
   /// Leaves the unit's effect (or the ComposedShader) out of the program.
   void mark_faulty(const PlacedUnit& unit);

@@ -36,6 +36,9 @@ class RecipeMaker {
   bool any_fills(std::string_view plug) const {
     return any_effect([&](const EffectCode& code) { return code.fills(plug); });
   }
+  bool has_geometry_shader() const {
+    return facts_.shader_has_geometry || any_effect([](const EffectCode& code) { return code.has_geometry_main; });
+  }
   bool has_effects() const {
     return any_effect([](const EffectCode&) { return true; });
   }
@@ -118,6 +121,7 @@ Recipe RecipeMaker::make() {
     recipe.textures.push_back({use.mode, use.transform >= 0, scene_.textures[static_cast<std::size_t>(use.texture)].effects});
   }
   recipe.vertex_eye = needs_vertex_eye(recipe);
+  if (has_geometry_shader()) recipe.primitive = facts_.primitive;
   return recipe;
 }
 
@@ -135,15 +139,19 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
   Recipe depth;
   depth.depth_only = true;
   const auto code = [&](int effect) -> const EffectCode& { return codes[static_cast<std::size_t>(effect)]; };
-  const bool moves = std::any_of(recipe.effects.begin(), recipe.effects.end(),
-                                 [&](int effect) { return code(effect).fills("vertex_object_space_change"); });
+  const bool has_geometry =
+      std::any_of(recipe.effects.begin(), recipe.effects.end(), [&](int effect) { return code(effect).has_geometry_main; });
+  const bool moves = has_geometry || std::any_of(recipe.effects.begin(), recipe.effects.end(),
+                                                 [&](int effect) { return code(effect).fills("vertex_object_space_change"); });
   for (const int effect : recipe.effects) {  // those that move nothing may still define what the movers call
     const auto& parts = code(effect).parts;
-    const bool in_vertex =
-        std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.stage == PartStage::vertex; });
-    if (moves && in_vertex) depth.effects.push_back(effect);
+    const bool of_use = std::any_of(parts.begin(), parts.end(), [&](const auto& part) {
+      return part.stage == PartStage::vertex || (has_geometry && part.stage == PartStage::geometry);
+    });
+    if (moves && of_use) depth.effects.push_back(effect);
   }
   depth.normals = recipe.normals && !depth.effects.empty();
+  if (has_geometry) depth.primitive = recipe.primitive;
   return depth;
 }
 
@@ -154,7 +162,9 @@ std::string to_text(const Recipe& recipe, const Scene& scene) {
                                                      {recipe.emissive, " emissive"},
                                                      {recipe.two_sided, " two_sided"},
                                                      {recipe.color_per_vertex, " color_per_vertex"},
-                                                     {recipe.alpha_test, " alpha_test"}};
+                                                     {recipe.alpha_test, " alpha_test"},
+                                                     {recipe.primitive == Primitive::points, " points"},
+                                                     {recipe.primitive == Primitive::lines, " lines"}};
   for (const auto& [set, word] : flags) {
     if (set) text += word;
   }

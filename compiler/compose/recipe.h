@@ -31,6 +31,9 @@ struct TextureRecipe {
   auto operator<=>(const TextureRecipe&) const = default;
 };
 
+/// What a shape is drawn as.
+enum class Primitive : std::uint8_t { none, points, lines, triangles };
+
 struct Recipe {
   bool depth_only = false;  ///< The program of a shadow pass.
   bool gouraud = false;
@@ -40,11 +43,12 @@ struct Recipe {
   bool color_per_vertex = false;
   bool alpha_test = false;
   bool ambient = false, specular = false, emissive = false;
-  bool vertex_eye = false;              ///< Lighting or an effect reads the eye-space position per fragment.
-  int shader = -1;                      ///< A ComposedShader in place of the base shader.
-  std::vector<LightRecipe> lights;      ///< Number N of a light is its place here.
-  std::vector<TextureRecipe> textures;  ///< Number N of a texture is its place here.
-  std::vector<int> effects;             ///< Of the Appearance, then of the groups.
+  bool vertex_eye = false;                ///< Lighting or an effect reads the eye-space position per fragment.
+  Primitive primitive = Primitive::none;  ///< Where a geometry shader takes it; else no program depends on it.
+  int shader = -1;                        ///< A ComposedShader in place of the base shader.
+  std::vector<LightRecipe> lights;        ///< Number N of a light is its place here.
+  std::vector<TextureRecipe> textures;    ///< Number N of a texture is its place here.
+  std::vector<int> effects;               ///< Of the Appearance, then of the groups.
   auto operator<=>(const Recipe&) const = default;
 };
 
@@ -54,11 +58,13 @@ struct ShapeFacts {
   bool has_colors = false;
   bool solid = true;
   bool alpha_test = false;  ///< Some texture's alpha is all or nothing, and the shape is not blended.
+  Primitive primitive = Primitive::triangles;
+  bool shader_has_geometry = false;  ///< Its ComposedShader has a geometry shader.
 };
 
 /// `codes` holds the outlined effects of the scene, by index.
 Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes);
-/// The recipe of a caster's depth pass: of its effects only those that move vertices.
+/// The recipe of a caster's depth pass: of its effects only those that move vertices or change primitives.
 Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes);
 
 /// One line: `phong lit specular; light directional ambient; texture modulate; effects Fresnel`.

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "compose/castle_names.h"
+#include "compose/geometry_stage.h"
 #include "compose/unit_writer.h"
+#include "compose/varying_passthrough.h"
 
 namespace plugc {
 namespace {
@@ -25,10 +27,12 @@ class HeadWriter {
  private:
   void write_version();
   void write_extensions();
+  void write_geometry();
   void write_castle_names();
   void write_declaration(const std::string& name);
   std::set<std::string> undeclared_names() const;
-  std::set<std::string> inputs_of_shader() const;
+  std::set<std::string> unwritten_inputs() const;
+  bool is_mentioned(std::string_view word) const;
 
   const Composition& c_;
   ShaderStage stage_;
@@ -63,6 +67,23 @@ void HeadWriter::write_extensions() {
   }
 }
 
+bool HeadWriter::is_mentioned(std::string_view word) const {
+  return std::any_of(units_.begin(), units_.end(),
+                     [&](const PlacedUnit* unit) { return unit->code->text.text().find(word) != std::string::npos; });
+}
+
+/// What a geometry stage is told of itself, and the fragment stage of it.
+void HeadWriter::write_geometry() {
+  if (!c_.has_geometry) return;
+  if (stage_ == ShaderStage::geometry) {
+    head_.append_generated(c_.geometry.layout, c_.geometry.layout_span);
+    if (is_mentioned("CASTLE_GEOMETRY_INPUT_SIZE"))
+      head_.append_generated(fmt::format("#define CASTLE_GEOMETRY_INPUT_SIZE {}\n", c_.geometry.input_size));
+  } else if (stage_ == ShaderStage::fragment && is_mentioned("HAS_GEOMETRY_SHADER")) {
+    head_.append_generated("#define HAS_GEOMETRY_SHADER\n");
+  }
+}
+
 /// castle_ names that a unit uses and neither it nor an earlier one declares.
 std::set<std::string> HeadWriter::undeclared_names() const {
   std::set<std::string> undeclared;
@@ -79,14 +100,15 @@ std::set<std::string> HeadWriter::undeclared_names() const {
   return undeclared;
 }
 
-/// Varyings that a ComposedShader reads and nobody writes: undefined in old GLSL, but declared (and so linked) there.
-std::set<std::string> HeadWriter::inputs_of_shader() const {
+/// Varyings that are read and that nobody writes: by a ComposedShader (undefined in old GLSL, but declared, and so linked,
+/// there), or by a geometry shader in a depth pass, where what it makes of them is not seen.
+std::set<std::string> HeadWriter::unwritten_inputs() const {
   std::set<std::string> inputs;
-  if (c_.recipe.shader < 0 || stage_ != ShaderStage::vertex) return inputs;
+  if (stage_ != ShaderStage::vertex) return inputs;
   for (const PlacedUnit& unit : c_.units) {
-    if (unit.stage == ShaderStage::fragment && c_.owners[unit.owner].kind == OwnerKind::shader) {
-      inputs.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
-    }
+    const bool of_shader = unit.stage == ShaderStage::fragment && c_.owners[unit.owner].kind == OwnerKind::shader;
+    const bool in_depth_pass = unit.stage == ShaderStage::geometry && c_.recipe.depth_only;
+    if (of_shader || in_depth_pass) inputs.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
   }
   std::erase_if(inputs, [](const std::string& name) {
     const auto meaning = find_castle_name(name);
@@ -99,26 +121,32 @@ std::set<std::string> HeadWriter::inputs_of_shader() const {
 }
 
 void HeadWriter::write_declaration(const std::string& name) {
-  const auto meaning = find_castle_name(name);
+  const std::string_view before = c_.has_geometry ? name_before_geometry(name) : "";
+  const auto meaning = find_castle_name(before.empty() ? name : before);
   if (!meaning) return;
   const bool vertex = stage_ == ShaderStage::vertex;
-  if ((meaning->kind == CastleKind::attribute && !vertex) || (meaning->kind == CastleKind::output && vertex)) return;
-  const bool is_out = meaning->kind == CastleKind::output || (meaning->kind == CastleKind::varying && vertex);
+  const bool fragment = stage_ == ShaderStage::fragment;
+  const bool varying = meaning->kind == CastleKind::varying;
+  if ((meaning->kind == CastleKind::attribute && !vertex) || (meaning->kind == CastleKind::output && !fragment)) return;
+  const bool is_out = meaning->kind == CastleKind::output || (varying && (fragment ? false : vertex || !before.empty()));
+  const bool is_array = varying && stage_ == ShaderStage::geometry && !is_out;
   const Storage storage = meaning->kind == CastleKind::uniform ? Storage::uniform : is_out ? Storage::out : Storage::in;
   const std::string_view word = storage == Storage::uniform ? "uniform" : is_out ? "out" : "in";
-  head_.append_generated(fmt::format("{} {} {};\n", word, meaning->type, name));
+  head_.append_generated(
+      fmt::format("{} {} {}{};\n", word, meaning->type, name, is_array ? fmt::format("[{}]", c_.geometry.input_size) : ""));
   declared_.globals[name] = {fmt::format("{} {}", static_cast<int>(storage), meaning->type), {}};
 }
 
 void HeadWriter::write_castle_names() {
   std::set<std::string> names = undeclared_names();
-  names.merge(inputs_of_shader());
+  names.merge(unwritten_inputs());
   for (const std::string& name : names) write_declaration(name);
 }
 
 MappedText HeadWriter::write() {
   write_version();
   write_extensions();
+  write_geometry();
   if (c_.target == Target::essl300) {
     head_.append_generated(
         "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DShadow;\n"

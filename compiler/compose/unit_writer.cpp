@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "compose/geometry_stage.h"
 #include "compose/struct_text.h"
 #include "glsl/edit.h"
 #include "glsl/scan.h"
@@ -25,6 +26,7 @@ class UnitWriter {
         text_(unit.code->text.text()),
         declared_(declared),
         no_name_changes_(composition.owners[unit.owner].keeps_names_in(unit.stage) &&
+                         (unit.stage != ShaderStage::fragment || composition.passed.empty()) &&
                          (unit.scope.kind != ScopeKind::light || composition.owners[unit.owner].kind != OwnerKind::effect)) {}
 
   MappedText write();
@@ -95,18 +97,23 @@ bool UnitWriter::is_removed(std::uint32_t offset) const {
   return behind != removed_.begin() && offset < std::prev(behind)->second;
 }
 
-/// `#version`, `#extension` and precision statements: the head of the stage has them.
+/// `#version`, `#extension`, precision statements and a geometry shader's input: the head of the stage has them.
 void UnitWriter::remove_hoisted() {
   const Outline& outline = code_.outline;
   if (outline.version.end > outline.version.begin) remove_lines(outline.version.begin, outline.version.end);
   for (const TextRange& extension : outline.extensions) remove_lines(extension.begin, extension.end);
   for (const TextRange& precision : outline.precisions) remove_lines(precision.begin, precision.end);
+  if (unit_.stage != ShaderStage::geometry) return;
+  const auto input = find_input_layout(code_);
+  if (input && input->alone) remove_lines(input->range.begin, input->range.end);
 }
 
 /// Whether an earlier unit (or an earlier line) of the stage has made this declaration; if not, it is noted as made. A
 /// uniform's initialiser is no part of its type.
 bool UnitWriter::is_repeated(const GlobalOutline& global) {
-  std::string text = fmt::format("{} {}{}", static_cast<int>(global.storage), global.type, global.array);
+  // the arrays of a geometry stage's inputs have all one size, whether or not it is written
+  const bool sized_by_layout = unit_.stage == ShaderStage::geometry && global.storage == Storage::in;
+  std::string text = fmt::format("{} {}{}", static_cast<int>(global.storage), global.type, sized_by_layout ? "" : global.array);
   const bool has_value = global.storage != Storage::uniform && global.initializer_end > global.initializer_begin;
   if (has_value) text += " = " + token_line(code_, global.initializer_begin, global.initializer_end);
   const auto [found, added] = declared_.globals.try_emplace(final_name(global.name));

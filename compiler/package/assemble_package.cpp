@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "compose/castle_names.h"
 #include "package/pack_geometry.h"
 #include "package/pack_program.h"
 
@@ -79,7 +80,9 @@ std::map<const Mesh*, std::uint32_t> Assembler::add_meshes(const SceneParts& par
     const ValidRecipe& program = parts.programs[static_cast<std::size_t>(plan.program)];
     for (const TargetProgram& target : program.targets) {
       for (const ReflectedVariable& attribute : target.program.attributes()) {
-        if (attribute.name.starts_with("castle_MultiTexCoord")) ++needed;
+        if (!attribute.name.starts_with("castle_MultiTexCoord")) continue;
+        const int unit = find_castle_name(attribute.name).value_or(CastleName{}).number;
+        needed = std::max(needed, static_cast<std::uint32_t>(unit + 1));
       }
     }
   }
@@ -163,8 +166,13 @@ std::unique_ptr<PackedViewpointT> pack_viewpoint(const SceneViewpoint& viewpoint
   return packed;
 }
 
-/// Whether the shape's vertices may lie elsewhere than its mesh says.
+/// Whether the shape's vertices lie where its mesh says.
 bool has_known_bounds(const Recipe& recipe, const ValidRecipe& program) {
+  const bool has_geometry = std::ranges::any_of(program.targets, [](const TargetProgram& target) {
+    const auto& stages = target.program.stages();
+    return std::ranges::find(stages, ShaderStage::geometry, &StageText::stage) != stages.end();
+  });
+  if (has_geometry) return false;
   const auto& filled = program.targets.front().composed.plugs_filled;
   return recipe.shader < 0 && std::find(filled.begin(), filled.end(), "vertex_object_space_change") == filled.end();
 }

@@ -65,6 +65,18 @@ std::unique_ptr<PackedTargetProgramT> pack_target(const ValidatedProgram& progra
   return packed;
 }
 
+/// What the program of some target reads, each name once: an effect may be left out of one target alone.
+std::vector<ReflectedVariable> of_all_targets(const ValidRecipe& recipe,
+                                              const std::vector<ReflectedVariable>& (ValidatedProgram::*list)() const) {
+  std::vector<ReflectedVariable> all;
+  for (const TargetProgram& target : recipe.targets) {
+    for (const ReflectedVariable& variable : (target.program.*list)()) {
+      if (std::ranges::find(all, variable.name, &ReflectedVariable::name) == all.end()) all.push_back(variable);
+    }
+  }
+  return all;
+}
+
 class Binder {
  public:
   Binder(const ValidRecipe& recipe, const BindingContext& context) : recipe_(recipe), c_(context) {
@@ -182,15 +194,17 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
 }
 
 void Binder::bind_uniform(std::uint32_t index, const ReflectedVariable& uniform) {
-  const auto& fields = recipe_.targets.front().composed.fields;
-  const auto fed =
-      std::find_if(fields.begin(), fields.end(), [&](const FieldUniform& field) { return field.name == uniform.name; });
-  if (fed != fields.end()) return bind_field(index, uniform, *fed);
+  for (const TargetProgram& target : recipe_.targets) {
+    const auto& fields = target.composed.fields;
+    const auto fed =
+        std::find_if(fields.begin(), fields.end(), [&](const FieldUniform& field) { return field.name == uniform.name; });
+    if (fed != fields.end()) return bind_field(index, uniform, *fed);
+  }
   if (const auto castle = find_castle_name(uniform.name)) bind_castle(index, *castle);
 }
 
 std::vector<PackedBinding> Binder::bind() {
-  const auto& uniforms = recipe_.targets.front().program.uniforms();
+  const auto uniforms = of_all_targets(recipe_, &ValidatedProgram::uniforms);
   for (std::size_t i = 0; i < uniforms.size(); ++i) bind_uniform(static_cast<std::uint32_t>(i), uniforms[i]);
   return std::move(bindings_);
 }
@@ -224,14 +238,15 @@ std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::str
   packed->name = packed->recipe.substr(0, packed->recipe.find(';'));
   for (const TargetProgram& target : recipe.targets) packed->targets.push_back(pack_target(target.program, sources));
   const TargetProgram& first = recipe.targets.front();
-  for (const ReflectedVariable& variable : first.program.uniforms()) {
+  for (const ReflectedVariable& variable : of_all_targets(recipe, &ValidatedProgram::uniforms)) {
     auto uniform = std::make_unique<PackedUniformT>();
     uniform->name = variable.name;
     uniform->type = pack_type(variable.type);
     uniform->count = variable.count;
     packed->uniforms.push_back(std::move(uniform));
   }
-  for (const ReflectedVariable& variable : first.program.attributes()) packed->attributes.push_back(pack_attribute(variable));
+  for (const ReflectedVariable& variable : of_all_targets(recipe, &ValidatedProgram::attributes))
+    packed->attributes.push_back(pack_attribute(variable));
   packed->plugs_filled = first.composed.plugs_filled;
   packed->plugs_empty = first.composed.plugs_empty;
   return packed;

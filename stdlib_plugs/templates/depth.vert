@@ -6,6 +6,12 @@ in vec4 castle_Vertex;
 uniform mat3 castle_NormalMatrix;
 in vec3 castle_Normal;
 #endif
+#ifdef VERTEX_EYE
+out vec4 castle_vertex_eye;
+#endif
+#ifdef NORMAL_EYE
+out vec3 castle_normal_eye;
+#endif
 
 /* PLUG-DECLARATIONS */
 
@@ -27,5 +33,11 @@ void main()
 #endif
   /* PLUG: vertex_eye_space (vertex_eye, normal_eye) */
   /* PLUG: vertex_eye_space_extended (vertex_eye, normal_eye, normal_object) */
+#ifdef VERTEX_EYE
+  castle_vertex_eye = vertex_eye;
+#endif
+#ifdef NORMAL_EYE
+  castle_normal_eye = normal_eye;
+#endif
   gl_Position = castle_ProjectionMatrix * vertex_eye;
 }

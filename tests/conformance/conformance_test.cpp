@@ -88,6 +88,7 @@ CompileOptions read_options(const CaseFile& file) {
   CompileOptions options;
   const CaseSection* section = file.find("options");
   if (section == nullptr) return options;
+  std::vector<Target> targets;
   for (const std::string& line : section->lines) {
     std::istringstream stream(line);
     std::string word;
@@ -95,8 +96,9 @@ CompileOptions read_options(const CaseFile& file) {
     stream >> word >> value;
     if (word == "lint") options.for_lint = true;
     if (word == "stage") options.stage = value;
-    if (word == "target") options.targets = {target_named(value).value()};
+    if (word == "target") targets.push_back(target_named(value).value());
   }
+  if (!targets.empty()) options.targets = std::move(targets);
   return options;
 }
 
@@ -184,6 +186,8 @@ void expect_section(const Compiled& compiled, const CaseSection& section) {
   const std::string& kind = section.title.front();
   if (kind == "vertex")
     expect_stage(compiled, PackedStageKind::vertex, section);
+  else if (kind == "geometry")
+    expect_stage(compiled, PackedStageKind::geometry, section);
   else if (kind == "fragment")
     expect_stage(compiled, PackedStageKind::fragment, section);
   else if (kind == "pixels")

@@ -1,0 +1,299 @@
+// The stage's units are, in this order: the template's three functions, the renderer's varyings on their way through, then
+// the authors' parts; behind each vertex part with passthrough markers stands a unit of the same effect that passes those
+// varyings on, so that they are renamed together with the effect's other names. Only what some fragment code reads passes.
+// The input layout is written in the head of the stage: arrays of inputs get their size from it, and the parts that have
+// such arrays may stand in front of the one that has the layout.
+
+#include "compose/geometry_stage.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "compose/castle_names.h"
+#include "compose/varying_passthrough.h"
+
+namespace plugc {
+namespace {
+
+struct InputPrimitive {
+  std::string_view name;
+  int size = 0;
+};
+constexpr InputPrimitive kInputPrimitives[] = {
+    {"points", 1}, {"lines", 2}, {"triangles", 3}, {"lines_adjacency", 4}, {"triangles_adjacency", 6}};
+
+const InputPrimitive* find_primitive(std::string_view name) {
+  const auto* const found = std::ranges::find(kInputPrimitives, name, &InputPrimitive::name);
+  return found == std::end(kInputPrimitives) ? nullptr : found;
+}
+
+std::string_view drawn_as(Primitive primitive) {
+  constexpr std::string_view kNames[] = {"triangles", "points", "lines", "triangles"};
+  return kNames[static_cast<std::size_t>(primitive)];
+}
+
+Span main_span(const CodeUnit& code) {
+  const FunctionOutline* function = find_main(code);
+  return function == nullptr ? code.span(0, 1) : name_span(code, function->name, function->name_begin);
+}
+
+bool has_output_layout(const CodeUnit& code) {
+  return std::ranges::any_of(code.outline.layouts, [&](const TextRange& range) {
+    const auto& tokens = code.tokens.tokens;
+    return std::ranges::any_of(tokens, [&](const Token& token) {
+      return range.begin <= token.begin && token.end <= range.end && code.at(token) == "out";
+    });
+  });
+}
+
+bool declares(const CodeUnit& code, Storage storage, std::string_view name) {
+  return std::ranges::any_of(code.outline.globals, [&](const GlobalOutline& global) {
+    return global.storage == storage && (global.name == name || code.macro_word(global.name) == name);
+  });
+}
+
+bool uses_castle_name(const CodeUnit& code, std::string_view name) {
+  return std::ranges::find(code.castle_names, name) != code.castle_names.end();
+}
+
+class GeometryPlacer {
+ public:
+  explicit GeometryPlacer(Composition& composition) : c_(composition) {}
+  void place();
+
+ private:
+  void check_mains();
+  bool check_layouts(const PlacedUnit& main);
+  bool check_primitive(const PlacedUnit& unit, const InputLayout& layout);
+  bool report_layout(const PlacedUnit& unit, const Span& span, std::string message);
+  std::vector<std::string> renderer_varyings() const;
+  bool is_written(const std::string& varying) const;
+  bool finds_marker(const PlacedUnit& unit) const;
+  bool is_read(std::string_view varying) const;
+  PlacedUnit renderer_unit() const;
+  PlacedUnit effect_unit(const PlacedUnit& vertex_unit) const;
+  PlacedUnit passing_unit(const std::vector<PassedVarying>& varyings, const PlacedUnit& of, const Span& origin) const;
+  const std::string& label(const PlacedUnit& unit) const { return c_.author(c_.owners[unit.owner]).label; }
+  bool any_unit(ShaderStage stage, auto predicate) const {
+    return std::ranges::any_of(c_.units, [&](const PlacedUnit& unit) { return unit.stage == stage && predicate(unit); });
+  }
+
+  Composition& c_;
+};
+
+/// A program has one `main` a stage: the first that can be it. Every further one is at fault.
+void GeometryPlacer::check_mains() {
+  const PlacedUnit* main = nullptr;
+  for (const PlacedUnit& unit : c_.units) {
+    if (unit.stage != ShaderStage::geometry || find_main(*unit.code) == nullptr) continue;
+    if (main == nullptr) {
+      if (check_layouts(unit)) main = &unit;
+      continue;
+    }
+    const std::string first = main->owner == unit.owner ? "another part of it" : fmt::format("`{}`", label(*main));
+    c_.diagnostics.report(
+        DiagnosticId::geometry_two_mains, main_span(*unit.code),
+        fmt::format("a shape can have one geometry shader, and {} has its `main`; `{}` is left out", first, label(unit)),
+        {{main_span(*main->code), "the other `main` is here"}});
+    c_.mark_faulty(unit);
+  }
+}
+
+bool GeometryPlacer::report_layout(const PlacedUnit& unit, const Span& span, std::string message) {
+  c_.diagnostics.report(DiagnosticId::geometry_layout, span, std::move(message));
+  c_.mark_faulty(unit);
+  return false;
+}
+
+bool GeometryPlacer::check_primitive(const PlacedUnit& unit, const InputLayout& layout) {
+  const std::string_view drawn = drawn_as(c_.recipe.primitive);
+  const Span span = unit.code->span(layout.range.begin, layout.range.end);
+  if (layout.primitive == drawn) {
+    c_.geometry = {find_primitive(drawn)->size, fmt::format("layout({}) in;\n", drawn), span};
+    return true;
+  }
+  const std::string_view why = layout.primitive.ends_with("adjacency") ? " (plugc draws nothing with adjacency)" : "";
+  return report_layout(unit, span,
+                       fmt::format("this geometry shader takes `{}`, but its shape is drawn as `{}`{}; `{}` is left out there",
+                                   layout.primitive, drawn, why, label(unit)));
+}
+
+bool GeometryPlacer::check_layouts(const PlacedUnit& main) {
+  const PlacedUnit* input = nullptr;
+  bool output = false;
+  for (const PlacedUnit& unit : c_.units) {
+    if (unit.stage != ShaderStage::geometry || unit.owner != main.owner) continue;
+    if (input == nullptr && find_input_layout(*unit.code)) input = &unit;
+    output = output || has_output_layout(*unit.code);
+  }
+  if (input == nullptr) {
+    return report_layout(
+        main, main_span(*main.code),
+        fmt::format("this geometry shader does not say what it takes; write `layout({}) in;`", drawn_as(c_.recipe.primitive)));
+  }
+  if (!output) {
+    return report_layout(
+        main, main_span(*main.code),
+        "this geometry shader does not say what it makes; write `layout(triangle_strip, max_vertices = 3) out;` "
+        "or the like");
+  }
+  return check_primitive(*input, *find_input_layout(*input->code));
+}
+
+/// Whether a piece of the renderer has a plug to stand in, as far as vertex code goes: a ComposedShader may lack it.
+bool GeometryPlacer::finds_marker(const PlacedUnit& unit) const {
+  return c_.by_author(unit) || std::ranges::all_of(unit.code->outline.functions, [&](const FunctionOutline& function) {
+           const std::string_view plug = plug_name(function.name);
+           return plug.empty() || any_unit(unit.stage, [&](const PlacedUnit& other) {
+                    return std::ranges::find(other.code->outline.markers, plug, &MarkerOutline::name) !=
+                           other.code->outline.markers.end();
+                  });
+         });
+}
+
+/// Whether the vertex stage has the renderer's varying. One that only a ComposedShader reads is declared there too.
+bool GeometryPlacer::is_written(const std::string& varying) const {
+  return any_unit(ShaderStage::vertex,
+                  [&](const PlacedUnit& unit) { return uses_castle_name(*unit.code, varying) && finds_marker(unit); }) ||
+         any_unit(ShaderStage::fragment, [&](const PlacedUnit& unit) {
+           return c_.owners[unit.owner].kind == OwnerKind::shader && uses_castle_name(*unit.code, varying);
+         });
+}
+
+/// Those that the fragment stage reads, or that an author's geometry code writes, and that no such code passes on itself.
+std::vector<std::string> GeometryPlacer::renderer_varyings() const {
+  std::vector<std::string> names;
+  const auto add = [&](std::string_view name) {
+    const auto meaning = find_castle_name(name);
+    if (!meaning || meaning->kind != CastleKind::varying || std::ranges::find(names, name) != names.end()) return;
+    const bool passed_by_author =
+        any_unit(ShaderStage::geometry, [&](const PlacedUnit& unit) { return declares(*unit.code, Storage::out, name); });
+    if (!passed_by_author && is_written(std::string(name))) names.emplace_back(name);
+  };
+  for (const PlacedUnit& unit : c_.units) {
+    for (const std::string& name : unit.code->castle_names) {
+      if (unit.stage == ShaderStage::fragment) add(name);
+      if (unit.stage == ShaderStage::geometry) add(name_before_geometry(name));
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+PlacedUnit GeometryPlacer::passing_unit(const std::vector<PassedVarying>& varyings, const PlacedUnit& of,
+                                        const Span& origin) const {
+  if (varyings.empty()) return {};
+  MappedText text;
+  text.append_generated(passthrough_text(varyings, c_.geometry.input_size), origin);
+  PlacedUnit unit = make_placed_unit(make_code_unit(text, ShaderStage::geometry), ShaderStage::geometry, of.owner, of.scope);
+  for (const PassedVarying& varying : varyings) unit.passes.push_back(varying.name);
+  return unit;
+}
+
+PlacedUnit GeometryPlacer::renderer_unit() const {
+  std::vector<PassedVarying> varyings;
+  for (const std::string& name : renderer_varyings()) varyings.push_back({"", std::string(find_castle_name(name)->type), name});
+  return passing_unit(varyings, PlacedUnit(), {});
+}
+
+bool GeometryPlacer::is_read(std::string_view varying) const {
+  return any_unit(ShaderStage::fragment, [&](const PlacedUnit& unit) { return declares(*unit.code, Storage::in, varying); });
+}
+
+PlacedUnit GeometryPlacer::effect_unit(const PlacedUnit& vertex_unit) const {
+  std::vector<PassedVarying> varyings;
+  Span origin;
+  for (const MarkerOutline& marker : vertex_unit.code->outline.markers) {
+    if (marker.kind != MarkerKind::varying_passthrough) continue;
+    for (const GlobalOutline* global : marked_varyings(*vertex_unit.code, marker)) {
+      if (!is_read(global->name) || find_castle_name(global->name)) continue;
+      varyings.push_back({std::string(global->qualifiers), std::string(global->type), std::string(global->name)});
+      if (!origin.valid()) origin = vertex_unit.code->span(marker.begin, marker.end);
+    }
+  }
+  return passing_unit(varyings, vertex_unit, origin);
+}
+
+void GeometryPlacer::place() {
+  check_mains();
+  std::vector<PlacedUnit> units;
+  const auto add = [&](PlacedUnit unit) {
+    if (!unit.passes.empty()) units.push_back(std::move(unit));
+  };
+  units.push_back(make_placed_unit(c_.input.templates.get("geometry.geom", ShaderStage::geometry, {}), ShaderStage::geometry));
+  add(renderer_unit());
+  std::vector<PlacedUnit> passing;
+  for (const PlacedUnit& unit : c_.units)
+    passing.push_back(unit.stage == ShaderStage::vertex ? effect_unit(unit) : PlacedUnit());
+  for (std::size_t i = 0; i < passing.size(); ++i) {
+    units.push_back(std::move(c_.units[i]));
+    add(std::move(passing[i]));
+  }
+  c_.units = std::move(units);
+}
+
+void report_target(Composition& c, const EffectCode& code, std::string_view label, std::string_view instead) {
+  for (const EffectCode::Part& part : code.parts) {
+    if (!part.in_geometry || find_main(*part.in_geometry) == nullptr) continue;
+    c.diagnostics.report(
+        DiagnosticId::geometry_target, main_span(*part.in_geometry),
+        fmt::format("target `{}` has no geometry shaders; `{}` is left out of it{}", to_text(c.target), label, instead));
+  }
+}
+
+}  // namespace
+
+std::optional<InputLayout> find_input_layout(const CodeUnit& code) {
+  constexpr std::size_t kTokensOfPlainLayout = 6;  // layout ( triangles ) in ;
+  for (const TextRange& range : code.outline.layouts) {
+    InputLayout layout{range, {}, false};
+    std::size_t count = 0;
+    bool is_input = false;
+    for (const Token& token : code.tokens.tokens) {
+      if (token.begin < range.begin || token.end > range.end) continue;
+      ++count;
+      is_input = is_input || code.at(token) == "in";
+      const InputPrimitive* found = find_primitive(code.macro_word(code.at(token)));
+      if (found != nullptr && layout.primitive.empty()) layout.primitive = found->name;
+      if (found != nullptr) layout.alone = code.at(token) == found->name;
+    }
+    layout.alone = layout.alone && count == kTokensOfPlainLayout;
+    if (is_input && !layout.primitive.empty()) return layout;
+  }
+  return std::nullopt;
+}
+
+bool wants_geometry_stage(Composition& c) {
+  std::vector<int> bringing = all_effects(c.recipe);
+  std::erase_if(bringing, [&](int effect) { return !c.input.effects[static_cast<std::size_t>(effect)].has_geometry_main; });
+  const auto shader = static_cast<std::size_t>(std::max(c.recipe.shader, 0));
+  const bool by_shader = c.recipe.shader >= 0 && c.input.shaders[shader].has_geometry_main;
+  if (c.target != Target::essl300) return by_shader || !bringing.empty();
+  for (const int effect : bringing) {
+    const auto index = static_cast<std::size_t>(effect);
+    report_target(c, c.input.effects[index], c.input.scene.effects[index].label, "");
+    c.result.faulty_effects.push_back(effect);
+  }
+  if (by_shader) {
+    report_target(c, c.input.shaders[shader], c.input.scene.shaders[shader].label, ", where the base shader is used");
+    c.result.faulty_shader = true;
+  }
+  return false;
+}
+
+void place_geometry_stage(Composition& composition) {
+  if (composition.has_geometry) GeometryPlacer(composition).place();
+}
+
+void note_passed_varyings(Composition& composition) {
+  for (const PlacedUnit& unit : composition.units) {
+    if (unit.dropped) continue;
+    for (const std::string& name : unit.passes) {
+      composition.passed.emplace(composition.final_name(unit, name),
+                                 composition.final_name(unit, name + std::string(kBehindGeometry)));
+    }
+  }
+}
+
+}  // namespace plugc

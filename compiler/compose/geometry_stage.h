@@ -1,0 +1,27 @@
+#pragma once
+// The geometry stage of a program (thesis, chapter 6). It is there when a `GEOMETRY` part has a `main`; else all parts of that
+// type are dropped. Internal to the compose room.
+
+#include "compose/placed_unit.h"
+
+namespace plugc {
+
+/// `layout(triangles) in;`
+struct InputLayout {
+  TextRange range;
+  std::string_view primitive;
+  bool alone = false;  ///< It says nothing else, so that the head of the stage can say it in its place.
+};
+std::optional<InputLayout> find_input_layout(const CodeUnit& code);
+
+/// Whether the program has a geometry stage. Where the target has none, effects that bring one are reported and left out.
+bool wants_geometry_stage(Composition& composition);
+
+/// When all parts are placed: finds the one `main` and checks that it takes what the shape is drawn as, then places the
+/// functions that it calls and the code that passes varyings on.
+void place_geometry_stage(Composition& composition);
+
+/// When all names are final: what fragment code calls a passed varying.
+void note_passed_varyings(Composition& composition);
+
+}  // namespace plugc
