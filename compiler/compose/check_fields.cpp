@@ -63,7 +63,8 @@ bool feeds(const ShaderField& field, std::string_view glsl_type) {
 void check_fields(const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics) {
   Uniforms uniforms;
   const auto collect_part = [&](const EffectCode::Part& part) {
-    for (const auto& unit : {part.in_vertex, part.in_fragment, part.in_geometry}) collect(unit.get(), uniforms);
+    for (const auto& unit : {part.in_vertex, part.in_fragment, part.in_geometry, part.behind_geometry})
+      collect(unit.get(), uniforms);
   };
   for (const EffectCode::Part& part : code.parts) {
     collect_part(part);

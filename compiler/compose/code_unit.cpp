@@ -46,6 +46,15 @@ EffectCode::Part make_part(const ShaderSource& source, Target target) {
   return part;
 }
 
+std::unordered_map<std::string_view, std::string_view> find_macro_words(const CodeUnit& unit) {
+  std::unordered_map<std::string_view, std::string_view> words;
+  for (const MacroOutline& macro : unit.outline.macros) {
+    const std::vector<Token> body = scan_range(unit.text.text(), macro.body_begin, macro.end);
+    if (body.size() == 1 && body.front().kind == TokenKind::identifier) words.try_emplace(macro.name, unit.at(body.front()));
+  }
+  return words;
+}
+
 bool asks_for_essl(const ShaderSource& source) {
   return std::any_of(std::begin(kEsslQuestions), std::end(kEsslQuestions),
                      [&](std::string_view name) { return source.text.text().find(name) != std::string::npos; });
@@ -78,11 +87,8 @@ std::string_view CodeUnit::written_name(std::string_view name) const {
 }
 
 std::string_view CodeUnit::macro_word(std::string_view name) const {
-  const auto macro =
-      std::find_if(outline.macros.begin(), outline.macros.end(), [&](const MacroOutline& m) { return m.name == name; });
-  if (macro == outline.macros.end()) return name;
-  const std::vector<Token> body = scan_range(text.text(), macro->body_begin, macro->end);
-  return body.size() == 1 && body.front().kind == TokenKind::identifier ? at(body.front()) : name;
+  const auto found = macro_words.find(name);
+  return found == macro_words.end() ? name : found->second;
 }
 
 const FunctionOutline* find_main(const CodeUnit& unit) {
@@ -104,6 +110,7 @@ std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderSta
   unit->renamed_names = std::move(upgraded.renamed_names);
   unit->tokens = tokenize(unit->text.text(), predefined);
   unit->outline = outline(unit->text.text(), unit->tokens, varying_storage(stage));
+  unit->macro_words = find_macro_words(*unit);
   return unit;
 }
 
@@ -133,6 +140,7 @@ EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics)
       if (!too_large) note_names(*unit, code);
     }
     if (too_large) continue;
+    if (part.behind_geometry) note_names(*part.behind_geometry, code);
     code.has_geometry_main = code.has_geometry_main || (part.in_geometry && find_main(*part.in_geometry) != nullptr);
     code.parts.push_back(std::move(part));
   }

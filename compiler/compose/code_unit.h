@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -21,6 +22,7 @@ struct CodeUnit {
   std::vector<RenamedName> renamed_names;  ///< Names that upgrading had to change.
   TokenList tokens;
   Outline outline;  ///< Points into `text`, so a unit is never moved once made.
+  std::unordered_map<std::string_view, std::string_view> macro_words;  ///< Macros that stand for one word.
 
   CodeUnit() = default;
   CodeUnit(const CodeUnit&) = delete;

@@ -7,26 +7,16 @@
 #include "compose/geometry_stage.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "compose/castle_names.h"
+#include "compose/geometry_layout.h"
 #include "compose/varying_passthrough.h"
 
 namespace plugc {
 namespace {
-
-struct InputPrimitive {
-  std::string_view name;
-  int size = 0;
-};
-constexpr InputPrimitive kInputPrimitives[] = {
-    {"points", 1}, {"lines", 2}, {"triangles", 3}, {"lines_adjacency", 4}, {"triangles_adjacency", 6}};
-
-const InputPrimitive* find_primitive(std::string_view name) {
-  const auto* const found = std::ranges::find(kInputPrimitives, name, &InputPrimitive::name);
-  return found == std::end(kInputPrimitives) ? nullptr : found;
-}
 
 std::string_view drawn_as(Primitive primitive) {
   constexpr std::string_view kNames[] = {"triangles", "points", "lines", "triangles"};
@@ -38,19 +28,9 @@ Span main_span(const CodeUnit& code) {
   return function == nullptr ? code.span(0, 1) : name_span(code, function->name, function->name_begin);
 }
 
-bool has_output_layout(const CodeUnit& code) {
-  return std::ranges::any_of(code.outline.layouts, [&](const TextRange& range) {
-    const auto& tokens = code.tokens.tokens;
-    return std::ranges::any_of(tokens, [&](const Token& token) {
-      return range.begin <= token.begin && token.end <= range.end && code.at(token) == "out";
-    });
-  });
-}
-
-bool declares(const CodeUnit& code, Storage storage, std::string_view name) {
-  return std::ranges::any_of(code.outline.globals, [&](const GlobalOutline& global) {
-    return global.storage == storage && (global.name == name || code.macro_word(global.name) == name);
-  });
+bool writes(const CodeUnit& code, std::string_view name) {
+  return std::ranges::any_of(
+      code.outline.globals, [&](const GlobalOutline& global) { return global.storage == Storage::out && global.name == name; });
 }
 
 bool uses_castle_name(const CodeUnit& code, std::string_view name) {
@@ -70,7 +50,7 @@ class GeometryPlacer {
   std::vector<std::string> renderer_varyings() const;
   bool is_written(const std::string& varying) const;
   bool finds_marker(const PlacedUnit& unit) const;
-  bool is_read(std::string_view varying) const;
+  void note_fragment_inputs();
   PlacedUnit renderer_unit() const;
   PlacedUnit effect_unit(const PlacedUnit& vertex_unit) const;
   PlacedUnit passing_unit(const std::vector<PassedVarying>& varyings, const PlacedUnit& of, const Span& origin) const;
@@ -80,6 +60,7 @@ class GeometryPlacer {
   }
 
   Composition& c_;
+  std::set<std::string_view> fragment_inputs_;
 };
 
 /// A program has one `main` a stage: the first that can be it. Every further one is at fault.
@@ -110,7 +91,7 @@ bool GeometryPlacer::check_primitive(const PlacedUnit& unit, const InputLayout& 
   const std::string_view drawn = drawn_as(c_.recipe.primitive);
   const Span span = unit.code->span(layout.range.begin, layout.range.end);
   if (layout.primitive == drawn) {
-    c_.geometry = {find_primitive(drawn)->size, fmt::format("layout({}) in;\n", drawn), span};
+    c_.geometry = {input_size(drawn), fmt::format("layout({}) in;\n", drawn), span};
     return true;
   }
   const std::string_view why = layout.primitive.ends_with("adjacency") ? " (plugc draws nothing with adjacency)" : "";
@@ -168,7 +149,7 @@ std::vector<std::string> GeometryPlacer::renderer_varyings() const {
     const auto meaning = find_castle_name(name);
     if (!meaning || meaning->kind != CastleKind::varying || std::ranges::find(names, name) != names.end()) return;
     const bool passed_by_author =
-        any_unit(ShaderStage::geometry, [&](const PlacedUnit& unit) { return declares(*unit.code, Storage::out, name); });
+        any_unit(ShaderStage::geometry, [&](const PlacedUnit& unit) { return writes(*unit.code, name); });
     if (!passed_by_author && is_written(std::string(name))) names.emplace_back(name);
   };
   for (const PlacedUnit& unit : c_.units) {
@@ -197,8 +178,13 @@ PlacedUnit GeometryPlacer::renderer_unit() const {
   return passing_unit(varyings, PlacedUnit(), {});
 }
 
-bool GeometryPlacer::is_read(std::string_view varying) const {
-  return any_unit(ShaderStage::fragment, [&](const PlacedUnit& unit) { return declares(*unit.code, Storage::in, varying); });
+void GeometryPlacer::note_fragment_inputs() {
+  for (const PlacedUnit& unit : c_.units) {
+    if (unit.stage != ShaderStage::fragment) continue;
+    for (const GlobalOutline& global : unit.code->outline.globals) {
+      if (global.storage == Storage::in) fragment_inputs_.insert(global.name);
+    }
+  }
 }
 
 PlacedUnit GeometryPlacer::effect_unit(const PlacedUnit& vertex_unit) const {
@@ -207,7 +193,7 @@ PlacedUnit GeometryPlacer::effect_unit(const PlacedUnit& vertex_unit) const {
   for (const MarkerOutline& marker : vertex_unit.code->outline.markers) {
     if (marker.kind != MarkerKind::varying_passthrough) continue;
     for (const GlobalOutline* global : marked_varyings(*vertex_unit.code, marker)) {
-      if (!is_read(global->name) || find_castle_name(global->name)) continue;
+      if (!fragment_inputs_.contains(global->name) || find_castle_name(global->name)) continue;
       varyings.push_back({std::string(global->qualifiers), std::string(global->type), std::string(global->name)});
       if (!origin.valid()) origin = vertex_unit.code->span(marker.begin, marker.end);
     }
@@ -217,6 +203,7 @@ PlacedUnit GeometryPlacer::effect_unit(const PlacedUnit& vertex_unit) const {
 
 void GeometryPlacer::place() {
   check_mains();
+  note_fragment_inputs();
   std::vector<PlacedUnit> units;
   const auto add = [&](PlacedUnit unit) {
     if (!unit.passes.empty()) units.push_back(std::move(unit));
@@ -243,26 +230,6 @@ void report_target(Composition& c, const EffectCode& code, std::string_view labe
 }
 
 }  // namespace
-
-std::optional<InputLayout> find_input_layout(const CodeUnit& code) {
-  constexpr std::size_t kTokensOfPlainLayout = 6;  // layout ( triangles ) in ;
-  for (const TextRange& range : code.outline.layouts) {
-    InputLayout layout{range, {}, false};
-    std::size_t count = 0;
-    bool is_input = false;
-    for (const Token& token : code.tokens.tokens) {
-      if (token.begin < range.begin || token.end > range.end) continue;
-      ++count;
-      is_input = is_input || code.at(token) == "in";
-      const InputPrimitive* found = find_primitive(code.macro_word(code.at(token)));
-      if (found != nullptr && layout.primitive.empty()) layout.primitive = found->name;
-      if (found != nullptr) layout.alone = code.at(token) == found->name;
-    }
-    layout.alone = layout.alone && count == kTokensOfPlainLayout;
-    if (is_input && !layout.primitive.empty()) return layout;
-  }
-  return std::nullopt;
-}
 
 bool wants_geometry_stage(Composition& c) {
   std::vector<int> bringing = all_effects(c.recipe);

@@ -6,14 +6,6 @@
 
 namespace plugc {
 
-/// `layout(triangles) in;`
-struct InputLayout {
-  TextRange range;
-  std::string_view primitive;
-  bool alone = false;  ///< It says nothing else, so that the head of the stage can say it in its place.
-};
-std::optional<InputLayout> find_input_layout(const CodeUnit& code);
-
 /// Whether the program has a geometry stage. Where the target has none, effects that bring one are reported and left out.
 bool wants_geometry_stage(Composition& composition);
 

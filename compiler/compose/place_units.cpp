@@ -48,8 +48,10 @@ class Placer {
 /// Of the code that can come to stand in the program.
 void Placer::note_used_names(const EffectCode& code) {
   for (const EffectCode::Part& part : code.parts) {
-    const std::pair<const CodeUnit*, bool> forms[] = {
-        {part.in_vertex.get(), true}, {part.in_geometry.get(), c_.has_geometry}, {part.in_fragment.get(), !recipe_.depth_only}};
+    const std::pair<const CodeUnit*, bool> forms[] = {{part.in_vertex.get(), true},
+                                                      {part.in_geometry.get(), c_.has_geometry},
+                                                      {part.in_fragment.get(), !recipe_.depth_only},
+                                                      {part.behind_geometry.get(), c_.has_geometry && !recipe_.depth_only}};
     for (const auto& [unit, placed] : forms) {
       if (unit != nullptr && placed) used_names_.insert(unit->castle_names.begin(), unit->castle_names.end());
     }

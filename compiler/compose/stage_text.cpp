@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "compose/castle_names.h"
-#include "compose/geometry_stage.h"
 #include "compose/unit_writer.h"
 #include "compose/varying_passthrough.h"
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "compose/geometry_stage.h"
+#include "compose/geometry_layout.h"
 #include "compose/struct_text.h"
 #include "glsl/edit.h"
 #include "glsl/scan.h"

@@ -38,11 +38,11 @@ std::string_view name_before_geometry(std::string_view name) {
 }
 
 std::vector<const GlobalOutline*> marked_varyings(const CodeUnit& code, const MarkerOutline& marker) {
-  const auto& tokens = code.tokens.tokens;
-  const auto next = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) { return token.begin >= marker.end; });
+  const auto next = std::ranges::lower_bound(code.tokens.tokens, marker.end, {}, &Token::begin);
   std::vector<const GlobalOutline*> varyings;
-  for (const GlobalOutline& global : code.outline.globals) {
-    if (next != tokens.end() && global.begin == next->begin && can_pass(global)) varyings.push_back(&global);
+  if (next == code.tokens.tokens.end()) return varyings;
+  for (const GlobalOutline& global : std::ranges::equal_range(code.outline.globals, next->begin, {}, &GlobalOutline::begin)) {
+    if (can_pass(global)) varyings.push_back(&global);
   }
   return varyings;
 }

@@ -124,6 +124,28 @@ TEST_F(RecipeTest, MovesCastersAsTheirVertexEffectsDo) {
   EXPECT_EQ(make_depth_recipe(make(), effects_).effects, (std::vector<int>{library, moves}));
 }
 
+TEST_F(RecipeTest, KnowsThePrimitiveWhereAGeometryShaderTakesIt) {
+  facts_.primitive = Primitive::lines;
+  const int optional = effect({{PartStage::geometry, "void PLUG_geometry_vertex_set(const in int index) {}"}});
+  shape_.effects = {optional};
+  EXPECT_EQ(make().primitive, Primitive::none);
+  const int takes = effect({{PartStage::geometry, "layout(lines) in;\nvoid main() {}"}});
+  shape_.effects = {optional, takes};
+  EXPECT_EQ(make().primitive, Primitive::lines);
+}
+
+TEST_F(RecipeTest, GivesTheDepthPassTheGeometryShader) {
+  const int colours = fragment("void PLUG_fragment_modify(inout vec4 c) {}");
+  const int optional = effect({{PartStage::geometry, "float height() { return 1.0; }"}});
+  const int takes = effect({{PartStage::geometry, "layout(triangles) in;\nvoid main() {}"}});
+  shape_.effects = {colours, optional};
+  EXPECT_EQ(to_text(make_depth_recipe(make(), effects_), scene_), "depth");
+  shape_.effects = {colours, optional, takes};
+  const Recipe depth = make_depth_recipe(make(), effects_);
+  EXPECT_EQ(depth.effects, (std::vector<int>{optional, takes}));
+  EXPECT_EQ(depth.primitive, Primitive::triangles);
+}
+
 TEST_F(RecipeTest, EqualShapesHaveEqualRecipes) {
   light(LightKind::point);
   const Recipe first = make();
