@@ -60,7 +60,7 @@ ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target 
   ComposedProgram program;
   Composition composition(recipe, input, target, diagnostics, program);
   place_units(composition);
-  place_geometry_stage(composition);
+  if (!place_geometry_stage(composition)) return program;
   // from here the list of units is complete, and its order is the order of calls
   resolve_plugs(composition);
   // from here every plug function has its calls and its name

@@ -48,7 +48,8 @@ struct ComposedProgram {
   bool faulty_shader = false;             ///< The ComposedShader cannot be used (reported).
 };
 
-/// Composes for one target. Mistakes of the authors are reported; the same mistake is said once (see Diagnostics).
+/// Composes for one target. Mistakes of the authors are reported; the same mistake is said once (see Diagnostics). A program
+/// with something at fault may have no stages.
 ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target target, Diagnostics& diagnostics);
 
 /// The recipe without an effect, wherever it stands.

@@ -40,13 +40,13 @@ bool uses_castle_name(const CodeUnit& code, std::string_view name) {
 class GeometryPlacer {
  public:
   explicit GeometryPlacer(Composition& composition) : c_(composition) {}
-  void place();
+  bool place();
 
  private:
-  void check_mains();
+  bool check_mains();
   bool check_layouts(const PlacedUnit& main);
   bool check_primitive(const PlacedUnit& unit, const InputLayout& layout);
-  bool report_layout(const PlacedUnit& unit, const Span& span, std::string message);
+  bool refuse(const PlacedUnit& unit, DiagnosticId id, const Span& span, std::string message);
   std::vector<std::string> renderer_varyings() const;
   bool is_written(const std::string& varying) const;
   bool finds_marker(const PlacedUnit& unit) const;
@@ -63,8 +63,8 @@ class GeometryPlacer {
   std::set<std::string_view> fragment_inputs_;
 };
 
-/// A program has one `main` a stage: the first that can be it. Every further one is at fault.
-void GeometryPlacer::check_mains() {
+/// A program has one `main` a stage: the first that can be it. Every further one is at fault. False: none can.
+bool GeometryPlacer::check_mains() {
   const PlacedUnit* main = nullptr;
   for (const PlacedUnit& unit : c_.units) {
     if (unit.stage != ShaderStage::geometry || find_main(*unit.code) == nullptr) continue;
@@ -79,10 +79,11 @@ void GeometryPlacer::check_mains() {
         {{main_span(*main->code), "the other `main` is here"}});
     c_.mark_faulty(unit);
   }
+  return main != nullptr;
 }
 
-bool GeometryPlacer::report_layout(const PlacedUnit& unit, const Span& span, std::string message) {
-  c_.diagnostics.report(DiagnosticId::geometry_layout, span, std::move(message));
+bool GeometryPlacer::refuse(const PlacedUnit& unit, DiagnosticId id, const Span& span, std::string message) {
+  c_.diagnostics.report(id, span, std::move(message));
   c_.mark_faulty(unit);
   return false;
 }
@@ -95,9 +96,9 @@ bool GeometryPlacer::check_primitive(const PlacedUnit& unit, const InputLayout& 
     return true;
   }
   const std::string_view why = layout.primitive.ends_with("adjacency") ? " (plugc draws nothing with adjacency)" : "";
-  return report_layout(unit, span,
-                       fmt::format("this geometry shader takes `{}`, but its shape is drawn as `{}`{}; `{}` is left out there",
-                                   layout.primitive, drawn, why, label(unit)));
+  return refuse(unit, DiagnosticId::geometry_primitive, span,
+                fmt::format("this geometry shader takes `{}`, but its shape is drawn as `{}`{}; `{}` is left out there",
+                            layout.primitive, drawn, why, label(unit)));
 }
 
 bool GeometryPlacer::check_layouts(const PlacedUnit& main) {
@@ -109,15 +110,14 @@ bool GeometryPlacer::check_layouts(const PlacedUnit& main) {
     output = output || has_output_layout(*unit.code);
   }
   if (input == nullptr) {
-    return report_layout(
-        main, main_span(*main.code),
+    return refuse(
+        main, DiagnosticId::geometry_layout, main_span(*main.code),
         fmt::format("this geometry shader does not say what it takes; write `layout({}) in;`", drawn_as(c_.recipe.primitive)));
   }
   if (!output) {
-    return report_layout(
-        main, main_span(*main.code),
-        "this geometry shader does not say what it makes; write `layout(triangle_strip, max_vertices = 3) out;` "
-        "or the like");
+    return refuse(main, DiagnosticId::geometry_layout, main_span(*main.code),
+                  "this geometry shader does not say what it makes; write `layout(triangle_strip, max_vertices = 3) out;` "
+                  "or the like");
   }
   return check_primitive(*input, *find_input_layout(*input->code));
 }
@@ -201,8 +201,8 @@ PlacedUnit GeometryPlacer::effect_unit(const PlacedUnit& vertex_unit) const {
   return passing_unit(varyings, vertex_unit, origin);
 }
 
-void GeometryPlacer::place() {
-  check_mains();
+bool GeometryPlacer::place() {
+  if (!check_mains()) return false;
   note_fragment_inputs();
   std::vector<PlacedUnit> units;
   const auto add = [&](PlacedUnit unit) {
@@ -218,6 +218,7 @@ void GeometryPlacer::place() {
     add(std::move(passing[i]));
   }
   c_.units = std::move(units);
+  return true;
 }
 
 void report_target(Composition& c, const EffectCode& code, std::string_view label, std::string_view instead) {
@@ -249,8 +250,8 @@ bool wants_geometry_stage(Composition& c) {
   return false;
 }
 
-void place_geometry_stage(Composition& composition) {
-  if (composition.has_geometry) GeometryPlacer(composition).place();
+bool place_geometry_stage(Composition& composition) {
+  return !composition.has_geometry || GeometryPlacer(composition).place();
 }
 
 void note_passed_varyings(Composition& composition) {

@@ -10,8 +10,9 @@ namespace plugc {
 bool wants_geometry_stage(Composition& composition);
 
 /// When all parts are placed: finds the one `main` and checks that it takes what the shape is drawn as, then places the
-/// functions that it calls and the code that passes varyings on.
-void place_geometry_stage(Composition& composition);
+/// functions that it calls and the code that passes varyings on. False when no `main` can stay (reported, and its effect
+/// marked): what else would be found wrong now may be right without a geometry stage.
+bool place_geometry_stage(Composition& composition);
 
 /// When all names are final: what fragment code calls a passed varying.
 void note_passed_varyings(Composition& composition);
