@@ -67,15 +67,14 @@ Shape {{
   void expect_outside(const std::string& url) {
     const std::string said = said_of(url);
     EXPECT_EQ(said.find(kSecret), std::string::npos) << said;
-    EXPECT_EQ(outside_, 4U) << said;  // Inline, texture, effect, shader; an external prototype says so in its own words
+    EXPECT_EQ(outside_, 5U) << said;  // Inline, external prototype, texture, effect, shader
     EXPECT_NE(said.find("leads outside the folder that this scene may read; `--root DIR` names a wider one"),
               std::string::npos);
-    EXPECT_NE(said.find("[externproto-missing]"), std::string::npos);
   }
   void expect_unreadable(const std::string& url) {
     const std::string said = said_of(url);
     EXPECT_EQ(said.find(kSecret), std::string::npos) << said;
-    EXPECT_EQ(unreadable_, 4U) << said;
+    EXPECT_EQ(unreadable_, 5U) << said;
     EXPECT_EQ(outside_, 0U) << said;
   }
 
