@@ -196,6 +196,8 @@ void GraphBuilder::connect_field(const Job& job, NodeId id, const FieldInfo& inf
 
 /// A value meets the limits of a field only where it is connected to one.
 void GraphBuilder::check_connected(const FieldValue& value, const ValueContract& contract) {
+  constexpr std::size_t kChecksOfOneNode = 64;  // numbers that are looked at in the time that a node takes
+  if (!spend(1 + value.numbers.size() / kChecksOfOneNode + value.strings.size(), value.span)) return;
   const auto out = find_out_of_range(contract, value.numbers);
   if (out) report(DiagnosticId::field_range, value.span, out->message);
   check_words(contract, value.span, value.strings, diagnostics_);
