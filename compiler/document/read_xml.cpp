@@ -121,6 +121,7 @@ class XmlReader {
   std::string buffer_;  // parsed in place
   pugi::xml_document tree_;
   XmlExtents extents_;
+  mutable std::ptrdiff_t last_extent_ = 0;  // the last one that element_span() found
   std::uint32_t depth_ = 0;
 };
 
@@ -257,8 +258,13 @@ Span XmlReader::element_span(const pugi::xml_node& element) const {
   const Span tag = tag_span(element);
   const std::uint32_t begin = std::max(tag.begin, 1U) - 1;
   const auto& extents = extents_.elements;
-  const auto found = std::lower_bound(extents.begin(), extents.end(), begin,
-                                      [](const XmlExtent& extent, std::uint32_t at) { return extent.begin < at; });
+  const auto lies_before = [&](const XmlExtent& extent) { return extent.begin < begin; };
+  const auto last = extents.begin() + last_extent_;  // elements are read in their order, nearly
+  const auto from = last != extents.end() && last->begin <= begin ? last : extents.begin();
+  const auto near = std::find_if_not(from, from + std::min<std::ptrdiff_t>(extents.end() - from, 4), lies_before);
+  const auto found =
+      near != extents.end() && !lies_before(*near) ? near : std::partition_point(near, extents.end(), lies_before);
+  last_extent_ = found - extents.begin();
   const bool exact = found != extents.end() && found->begin == begin;
   return {source_, begin, exact ? found->end : tag.end};
 }
