@@ -144,7 +144,7 @@ void GraphBuilder::build_interface(const Job& job, NodeId id) {
       report_unknown_type(one.type);
       continue;
     }
-    std::vector<InterfaceField>& fields = graph_.nodes_[id.value].interface;
+    std::vector<InterfaceField>& fields = graph_.nodes_[id.value].own->interface;
     InterfaceField& field = fields.emplace_back();
     field.access = one.access;
     field.type = type;
@@ -159,7 +159,7 @@ void GraphBuilder::build_interface_value(const Job& job, NodeId id, std::size_t 
   if (declared.value.kind == ValueKind::none) return;
   if (declared.value.kind == ValueKind::is) return connect_interface(job, id, index, declared);
   const GraphNode& node = graph_.nodes_[id.value];
-  const FieldType type = node.interface[index].type;
+  const FieldType type = node.own->interface[index].type;
   const ValueContract contract{type, nullptr, declared.name.text, node.info->name};
   FieldValue value;
   value.type = type;
@@ -169,7 +169,7 @@ void GraphBuilder::build_interface_value(const Job& job, NodeId id, std::size_t 
   } else if (!holds_nodes(*job.scope, declared.value, contract)) {
     return;
   }
-  InterfaceField& field = graph_.nodes_[id.value].interface[index];
+  InterfaceField& field = graph_.nodes_[id.value].own->interface[index];
   field.has_value = true;
   field.value = value;
   if (!is_node(type)) return;
@@ -204,12 +204,12 @@ void GraphBuilder::check_connected(const FieldValue& value, const ValueContract&
 }
 
 void GraphBuilder::connect_interface(const Job& job, NodeId id, std::size_t index, const InterfaceSyntax& declared) {
-  const FieldType type = graph_.nodes_[id.value].interface[index].type;
+  const FieldType type = graph_.nodes_[id.value].own->interface[index].type;
   const ProtoField* source = follow_is(*job.scope, declared.value, type, declared.access, {id, nullptr, declared.name.text});
   if (source == nullptr || !source->has_value) return;
   NodeList* shared = is_node(type) ? share(job, id, nullptr, *source) : nullptr;
   if (is_node(type) && shared == nullptr) return;
-  InterfaceField& field = graph_.nodes_[id.value].interface[index];
+  InterfaceField& field = graph_.nodes_[id.value].own->interface[index];
   field.has_value = true;
   field.value = source->value;
   if (shared != nullptr) list_uses_.push_back({id, static_cast<std::uint32_t>(index), true, shared});
@@ -270,10 +270,10 @@ std::size_t GraphBuilder::write_field(NodeId id, const FieldInfo& info, const Sp
     if (node.fields[i].info != &info) continue;
     report(DiagnosticId::field_repeated, name_span,
            fmt::format("`{}` of `{}` is given twice; the last value counts", info.name, node.info->name));
-    node.fields[i] = {&info, name_span, {}};
+    node.fields[i] = {&info, {}};
     return i;
   }
-  node.fields.push_back({&info, name_span, {}});
+  node.fields.push_back({&info, {}});
   return node.fields.size() - 1;
 }
 

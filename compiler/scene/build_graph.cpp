@@ -179,8 +179,10 @@ void GraphBuilder::create_node(const Job& job, const NodeInfo& info) {
   node.type_span = syntax.type.span;
   node.document = job.scope->document;
   node.fields.reserve(std::min<std::size_t>(syntax.fields.count, info.fields.size()));
-  const std::span<const MappedText> cdata = document(*job.scope).of(syntax.extras->cdata);
-  node.cdata.assign(cdata.begin(), cdata.end());
+  if (!syntax.extras->interface.empty() || !syntax.extras->cdata.empty()) {
+    node.own = std::make_unique<OwnDeclarations>();
+    node.own->cdata = document(*job.scope).of(syntax.extras->cdata);
+  }
   Definition* definition = define(*job.scope, syntax.extras->def);
   if (definition != nullptr) definition->node = id;
   place(job, id);
@@ -212,10 +214,10 @@ void GraphBuilder::finish_node(const Job& job) {
 void GraphBuilder::finish_graph(const NodeList& roots) {
   for (const ListUse& use : list_uses_) {
     GraphNode& node = graph_.nodes_[use.node.value];
-    FieldValue& value = use.interface ? node.interface[use.index].value : node.fields[use.index].value;
-    value.nodes = *use.list;
+    FieldValue& value = use.interface ? node.own->interface[use.index].value : node.fields[use.index].value;
+    value.nodes = use.list->ids();
   }
-  graph_.roots_ = roots;
+  graph_.roots_.assign(roots.ids().begin(), roots.ids().end());
 }
 
 Definition* GraphBuilder::define(Scope& scope, const Name& name) {

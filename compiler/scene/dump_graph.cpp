@@ -58,12 +58,12 @@ std::string show_place(const Span& span, const SourceSet& sources) {
 std::string show_fields(const GraphNode& node) {
   std::string shown;
   const auto add = [&](const std::string& field) { shown.append(shown.empty() ? " " : "; ").append(field); };
-  for (const InterfaceField& field : node.interface) {
+  for (const InterfaceField& field : node.interface()) {
     add(fmt::format("{} {} {}{}", to_text(field.access), to_text(field.type), field.name,
                     field.has_value ? show(field.value) : ""));
   }
   for (const WrittenField& field : node.fields) add(fmt::format("{}{}", field.info->name, show(field.value)));
-  for (const MappedText& text : node.cdata) add(fmt::format("cdata {}", show(text)));
+  for (const MappedText& text : node.cdata()) add(fmt::format("cdata {}", show(text)));
   return shown;
 }
 

@@ -23,8 +23,6 @@
 
 namespace plugc {
 
-using NodeList = std::vector<NodeId>;
-
 /// Looking for a near name costs more than all else about a mistake, so only the first mistakes get one, and none of those in
 /// a file of very many names.
 constexpr std::size_t kMaxSuggestions = 200;
@@ -248,7 +246,8 @@ class GraphBuilder {
   std::optional<RouteEnd> node_end(NodeId id, const Name& field, bool outgoing);
   const InterfaceField* find_interface(NodeId id, std::string_view name);
   bool inner_field_allows(NodeId id, std::string_view name, EventUse use);
-  void report_no_event(std::string_view type, const Name& field, bool outgoing, const std::vector<std::string_view>& names);
+  void report_no_event(std::string_view type, const Name& field, bool outgoing,
+                       const std::function<std::vector<std::string_view>()>& names);
   void follow_links(const Link& from, bool outgoing, std::vector<Link>& ends, const Span& span);
 
   /// Once a place: a prototype's body is reported on once, however often it is expanded.
@@ -278,8 +277,8 @@ class GraphBuilder {
   /// Fields that hold nodes, whose lists have their final place only at the end.
   struct ListUse {
     NodeId node;
-    std::uint32_t index;
-    bool interface;
+    std::uint32_t index : 31;
+    std::uint32_t interface : 1;
     NodeList* list;
   };
   std::vector<ListUse> list_uses_;

@@ -25,6 +25,23 @@ bool NodeGraph::is(NodeId id, std::string_view type) const {
   return id.valid() && is_a(*(*this)[id].info, type);
 }
 
+void NodeList::push_back(NodeId id) {
+  if (!many_ && !one_.valid()) {
+    one_ = id;
+    return;
+  }
+  if (!many_) many_ = std::make_unique<std::vector<NodeId>>(1, one_);
+  many_->push_back(id);
+}
+
+std::span<const InterfaceField> GraphNode::interface() const {
+  return own ? std::span<const InterfaceField>(own->interface) : std::span<const InterfaceField>();
+}
+
+std::span<const MappedText> GraphNode::cdata() const {
+  return own ? own->cdata : std::span<const MappedText>();
+}
+
 const WrittenField* NodeGraph::find_written(NodeId id, std::string_view name) const {
   const std::vector<WrittenField>& fields = (*this)[id].fields;
   const auto found =

@@ -48,8 +48,29 @@ struct InterfaceField {
 
 struct WrittenField {
   const FieldInfo* info = nullptr;
-  Span name_span;
   FieldValue value;
+};
+
+/// Nodes in one field, in order. Most lists hold one node, and then need no memory of their own.
+class NodeList {
+ public:
+  void push_back(NodeId id);
+  bool empty() const { return ids().empty(); }
+  std::size_t size() const { return ids().size(); }
+  std::span<const NodeId> ids() const {
+    if (many_) return *many_;
+    return {&one_, one_.valid() ? std::size_t{1} : 0};
+  }
+
+ private:
+  NodeId one_;
+  std::unique_ptr<std::vector<NodeId>> many_;
+};
+
+/// What few nodes have: fields of their own, and code.
+struct OwnDeclarations {
+  std::vector<InterfaceField> interface;
+  std::span<const MappedText> cdata;
 };
 
 /// One node. A node that USE names again is the same GraphNode: one set of field values, many places.
@@ -59,9 +80,11 @@ struct GraphNode {
   Span span;  ///< In the file that wrote it (an Inline's or a PROTO body's too).
   Span type_span;
   std::vector<WrittenField> fields;  ///< Only those written; at most one of a name.
-  std::vector<InterfaceField> interface;
-  std::vector<MappedText> cdata;  ///< XML: text directly inside (shader code).
-  std::uint32_t document = 0;     ///< Index of the file that its urls are relative to.
+  std::uint32_t document = 0;        ///< Index of the file that its urls are relative to.
+  std::unique_ptr<OwnDeclarations> own;
+
+  std::span<const InterfaceField> interface() const;
+  std::span<const MappedText> cdata() const;  ///< Text directly inside (shader code).
 };
 
 struct GraphRoute {
@@ -113,7 +136,7 @@ class NodeGraph {
   std::vector<std::filesystem::path> document_paths_;
   std::deque<std::vector<double>> numbers_;  // values that no document holds: XML attributes, defaults
   std::deque<std::vector<MappedText>> strings_;
-  std::deque<std::vector<NodeId>> node_lists_;
+  std::deque<NodeList> node_lists_;
 };
 
 /// Reads the documents that `document` includes (Inline, EXTERNPROTO) through `files` and resolves everything.

@@ -170,10 +170,10 @@ std::string GraphBuilder::unknown_name_hint(const Scope& scope, const Name& name
 NodeList* GraphBuilder::share(const Job& job, NodeId holder, const FieldInfo* info, const ProtoField& source) {
   NodeList* list = source.nodes;
   if (list == nullptr || !spend(1 + list->size(), source.value.span)) return nullptr;
-  for (const NodeId id : *list) {
+  for (const NodeId id : list->ids()) {
     if (!fits_depth(job.depth + 1, id, source.value.span)) return nullptr;
   }
-  for (const NodeId id : *list) {
+  for (const NodeId id : list->ids()) {
     if (info != nullptr) check_accepted(*info, holder, id, source.value.span);
     raise_height(holder, id);
   }

@@ -24,7 +24,7 @@ EventUse use_of(bool outgoing) {
 }  // namespace
 
 const InterfaceField* GraphBuilder::find_interface(NodeId id, std::string_view name) {
-  const std::vector<InterfaceField>& fields = graph_.nodes_[id.value].interface;
+  const std::span<const InterfaceField> fields = graph_.nodes_[id.value].interface();
   if (fields.empty()) return nullptr;
   const auto [entry, is_new] = interface_index_.try_emplace(id.value);
   for (std::uint32_t i = 0; is_new && i < fields.size(); ++i) entry->second.emplace(fields[i].name, i);
@@ -98,10 +98,13 @@ std::optional<RouteEnd> GraphBuilder::instance_end(Instance& instance, const Nam
   if (ProtoField* found = find_event(field.text, use_of(outgoing), find)) {
     return RouteEnd{{{}, &instance, found->declared->name.text}, found->type};
   }
-  std::vector<std::string_view> names;
-  for (const ProtoField& one : instance.fields) {
-    if (allows(one.declared->access, use_of(outgoing))) names.push_back(one.declared->name.text);
-  }
+  const auto names = [&] {
+    std::vector<std::string_view> fitting;
+    for (const ProtoField& one : instance.fields) {
+      if (allows(one.declared->access, use_of(outgoing))) fitting.push_back(one.declared->name.text);
+    }
+    return fitting;
+  };
   report_no_event(instance.prototype->syntax->name.text, field, outgoing, names);
   return std::nullopt;
 }
@@ -121,23 +124,26 @@ std::optional<RouteEnd> GraphBuilder::node_end(NodeId id, const Name& field, boo
   if (const InterfaceField* own = find_event(field.text, use, find_own)) return RouteEnd{{id, nullptr, own->name}, own->type};
   if (const FieldInfo* found = find_event(field.text, use, find)) return RouteEnd{{id, nullptr, found->name}, found->type};
   if (is_reported(DiagnosticId::route_invalid, field.span)) return std::nullopt;
-  std::vector<std::string_view> names;
-  for (const InterfaceField& one : node.interface) {
-    if (allows(one.access, use)) names.push_back(one.name);
-  }
-  for (const FieldInfo& one : node.info->fields) {
-    if (allows(one.access, use)) names.push_back(one.name);
-  }
+  const auto names = [&] {
+    std::vector<std::string_view> fitting;
+    for (const InterfaceField& one : node.interface()) {
+      if (allows(one.access, use)) fitting.push_back(one.name);
+    }
+    for (const FieldInfo& one : node.info->fields) {
+      if (allows(one.access, use)) fitting.push_back(one.name);
+    }
+    return fitting;
+  };
   report_no_event(node.info->name, field, outgoing, names);
   return std::nullopt;
 }
 
 void GraphBuilder::report_no_event(std::string_view type, const Name& field, bool outgoing,
-                                   const std::vector<std::string_view>& names) {
+                                   const std::function<std::vector<std::string_view>()>& names) {
   if (is_reported(DiagnosticId::route_invalid, field.span)) return;
   report(DiagnosticId::route_invalid, field.span,
          fmt::format("`{}` has no field `{}` that {} events{}", type, field.text, outgoing ? "sends" : "receives",
-                     suggest(field.text, [&] { return names; })));
+                     suggest(field.text, names)));
 }
 
 /// Each step leads one prototype deeper, so the recursion is no deeper than kMaxProtoDepth.

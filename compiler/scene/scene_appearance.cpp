@@ -38,7 +38,7 @@ std::vector<ShaderSource> read_parts(SceneContext& context, NodeId node) {
 
 std::vector<ShaderField> read_fields(SceneContext& context, NodeId node) {
   std::vector<ShaderField> fields;
-  for (const InterfaceField& written : context.graph[node].interface) {
+  for (const InterfaceField& written : context.graph[node].interface()) {
     if (written.access == AccessType::output_only) continue;
     ShaderField field{written.name, written.type, written.name_span, kSceneNoSlot, {}};
     if (is_node(written.type)) {

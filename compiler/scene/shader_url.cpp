@@ -59,7 +59,7 @@ std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, 
       return ShaderCode{MappedText(sources, whole), whole};
     }
   }
-  const auto& cdata = graph[part].cdata;
+  const std::span<const MappedText> cdata = graph[part].cdata();
   if (!cdata.empty()) {
     MappedText code;  // XML may divide a text, at a `]]>` for one
     for (const MappedText& piece : cdata) code.append(piece);

@@ -110,6 +110,29 @@ TEST(Attacks, MistakesAreWorkOfTheirNumber) {
   EXPECT_LT(growth(scene("Group { g", " 1 } "), kSize), kLinear);
 }
 
+TEST(Attacks, MistakesAboutOneNodeOfManyFieldsAreWorkOfTheirNumber) {
+  constexpr std::size_t kSize = 5'000;
+  const auto fields = [](std::size_t n) {
+    return each(n, [](const std::string& i) { return "field SFInt32 f" + i + " 1\n"; });
+  };
+  EXPECT_LT(growth(
+                [&](std::size_t n) {
+                  return classic_scene("DEF T TimeSensor { } DEF S Script { " + fields(n) + "}\n" +
+                                       each(n, [](const std::string& i) { return "ROUTE T.isActive TO S.g" + i + "\n"; }));
+                },
+                kSize),
+            kLinear);
+  EXPECT_LT(
+      growth(
+          [&](std::size_t n) {
+            return classic_scene("PROTO P [ " + fields(n) + "] { Script { " +
+                                 each(n, [](const std::string& i) { return "field SFInt32 s" + i + " IS g" + i + "\n"; }) +
+                                 "} } P { " + each(n, [](const std::string& i) { return "h" + i + " 2\n"; }) + "}");
+          },
+          kSize),
+      kLinear);
+}
+
 TEST(Attacks, StopAtAFilesManyItems) {
   const auto built = build(classic_scene("Script { url [ " + repeated("\"\" ", kMaxDocumentItems + 10) + "] }"));
   EXPECT_NE(built->said().find("this file holds more than 8000000 nodes, fields and strings"), std::string::npos);

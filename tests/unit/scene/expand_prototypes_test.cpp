@@ -57,10 +57,10 @@ TEST(Prototypes, InterfaceFieldsInABodyTakeValuesToo) {
       "P { a 7 map ImageTexture { } }");
   EXPECT_EQ(built->said(), "");
   const GraphNode& effect = built->graph[built->root()];
-  ASSERT_EQ(effect.interface.size(), 2U);
-  EXPECT_EQ(effect.interface[0].value.numbers[0], 7);
-  ASSERT_EQ(effect.interface[1].value.nodes.size(), 1U);
-  EXPECT_TRUE(built->graph.is(effect.interface[1].value.nodes[0], "ImageTexture"));
+  ASSERT_EQ(effect.interface().size(), 2U);
+  EXPECT_EQ(effect.interface()[0].value.numbers[0], 7);
+  ASSERT_EQ(effect.interface()[1].value.nodes.size(), 1U);
+  EXPECT_TRUE(built->graph.is(effect.interface()[1].value.nodes[0], "ImageTexture"));
 }
 
 TEST(Prototypes, OnlyTheFirstNodeOfABodyTakesTheInstancesPlace) {
