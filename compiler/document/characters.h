@@ -1,5 +1,5 @@
 #pragma once
-// The characters of the classic encoding and of attribute values, and the one way to write a character.
+// The characters of the classic encoding and of attribute values, those of XML's names, and the one way to write a character.
 // Source: ISO/IEC 19776-2, A.2 and 14772-1, A.3 (names); `:` stays a name character, as in `COMPONENT Shaders:1`.
 
 #include <array>
@@ -36,6 +36,24 @@ constexpr bool is_a(char c, CharacterClass wanted) {
 /// Whether a number may not go on with this character, nor anything begin with it right behind a number.
 constexpr bool runs_on_number(char c) {
   return is_a(c, kWordRest) || c == '.';
+}
+
+enum XmlCharacter : std::uint8_t { kXmlBlank = 1, kXmlNameStart = 2, kXmlNameRest = 4 };
+
+/// XML 1.0, 2.3; every character beyond ASCII counts as a letter.
+constexpr std::array<std::uint8_t, 256> make_xml_characters() {
+  std::array<std::uint8_t, 256> kinds{};
+  for (std::size_t c = 0x80; c < kinds.size(); ++c) kinds[c] = kXmlNameStart | kXmlNameRest;
+  for (std::size_t c = 'a'; c <= 'z'; ++c) kinds[c] = kinds[c - 0x20] = kXmlNameStart | kXmlNameRest;
+  for (const unsigned char c : std::string_view("_:")) kinds[c] = kXmlNameStart | kXmlNameRest;
+  for (const unsigned char c : std::string_view("-.0123456789")) kinds[c] = kXmlNameRest;
+  for (const unsigned char c : std::string_view(" \t\r\n")) kinds[c] = kXmlBlank;
+  return kinds;
+}
+inline constexpr std::array<std::uint8_t, 256> kXmlCharacters = make_xml_characters();
+
+constexpr bool is_a(char c, XmlCharacter wanted) {
+  return (kXmlCharacters[static_cast<unsigned char>(c)] & wanted) != 0;
 }
 
 /// Appends the character of that code point (RFC 3629).

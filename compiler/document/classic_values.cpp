@@ -80,9 +80,7 @@ void ClassicReader::read_word_value(ValueSyntax& value, const Name& field) {
     read_is(value);
   } else if (word == "DEF" || word == "USE" || looks_like_node_type(word) || scan_.brace_follows_word()) {
     value.kind = ValueKind::nodes;
-    const std::size_t mark = build_.nodes.open();
-    if (auto node = read_node()) build_.add_list_node(std::move(*node));
-    value.hold(build_.nodes.close(mark, build_.document.nodes));
+    if (const auto node = read_node()) value.hold(build_.add_node(*node));
   } else if (is_word_for_no_number(word)) {
     skip_no_number();
   } else {

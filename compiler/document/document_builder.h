@@ -82,6 +82,12 @@ class DocumentBuilder {
   void add_list_node(const NodeSyntax& node) {
     if (!is_nameless(node) && admit(node.span)) nodes.add(node);
   }
+  /// A list of one.
+  Range<NodeSyntax> add_node(const NodeSyntax& node) {
+    if (is_nameless(node) || !admit(node.span)) return {};
+    document.nodes.push_back(node);
+    return {static_cast<std::uint32_t>(document.nodes.size() - 1), 1};
+  }
   void add_cdata(MappedText text, const Span& place);
   /// The connections of a node, behind its other fields: an interface field of the node itself takes one as its value, as in
   /// the classic `field SFFloat a IS b`.

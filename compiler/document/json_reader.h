@@ -61,7 +61,7 @@ class JsonReader {
   void read_attribute(const Name& name, NodeExtras& extras);
   void read_child_field(const Name& name);
   bool add_node(NodeSyntax node, NodesAre nodes, const Name& field);
-  void add_elsewhere(NodeSyntax node);
+  void add_elsewhere(const NodeSyntax& node);
   void read_source();
   void read_interface(const Name& owner);
   void read_field_value(const Name& owner);

@@ -388,7 +388,7 @@ bool JsonReader::add_node(NodeSyntax node, NodesAre nodes, const Name& field) {
   if (nodes == NodesAre::statements) {
     build_.add_statement(std::move(node));
   } else if (!field.empty() && !named.empty() && named != field.text) {
-    add_elsewhere(std::move(node));
+    add_elsewhere(node);
     return false;
   } else {
     build_.add_list_node(std::move(node));
@@ -397,14 +397,12 @@ bool JsonReader::add_node(NodeSyntax node, NodesAre nodes, const Name& field) {
 }
 
 /// Adds a node without the name of a field: the scene room finds it by containerField.
-void JsonReader::add_elsewhere(NodeSyntax node) {
+void JsonReader::add_elsewhere(const NodeSyntax& node) {
   FieldSyntax field;
   field.name.span = node.span;
   field.value.kind = ValueKind::nodes;
   field.value.span = node.span;
-  const std::size_t mark = build_.nodes.open();
-  build_.add_list_node(std::move(node));
-  field.value.hold(build_.nodes.close(mark, build_.document.nodes));
+  field.value.hold(build_.add_node(node));
   build_.add_field(field, field.value.span);
 }
 

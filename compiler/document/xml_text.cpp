@@ -1,9 +1,8 @@
-// A tag is found by its `<`; its `>` is the first one outside quotes. Comments, CDATA sections, processing instructions and
-// declarations are jumped over whole. Decoding copies runs between `&` and `\r` and appends what stands for the rest.
+// Runs between `&` and `\r` are copied, and what stands for the rest is put between them. A text without those is a view of
+// the file.
 
 #include "document/xml_text.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -17,38 +16,6 @@ namespace plugc {
 namespace {
 
 constexpr std::size_t kLongestEntity = 12;
-
-std::size_t behind(std::string_view text, std::string_view mark, std::size_t from) {
-  const std::size_t at = text.find(mark, from);
-  return at == std::string_view::npos ? text.size() : at + mark.size();
-}
-
-std::size_t behind_tag(std::string_view text, std::size_t at) {
-  for (char quote = 0; at < text.size(); ++at) {
-    if (quote != 0) {
-      if (text[at] == quote) quote = 0;
-    } else if (text[at] == '"' || text[at] == '\'') {
-      quote = text[at];
-    } else if (text[at] == '>') {
-      return at + 1;
-    }
-  }
-  return text.size();
-}
-
-std::size_t behind_declaration(std::string_view text, std::size_t at) {
-  int depth = 0;
-  for (; at < text.size(); ++at) {
-    if (text[at] == '[' || text[at] == '<') ++depth;
-    if (text[at] == ']' || text[at] == '>') --depth;
-    if (depth == 0) return at + 1;
-  }
-  return text.size();
-}
-
-std::string_view tag_name(std::string_view text, std::size_t at) {
-  return text.substr(at, std::min(text.find_first_of(" \t\r\n/>", at), text.size()) - at);
-}
 
 /// `#65` or `#x41` (XML 1.0, 4.1); nullopt when that is no character.
 std::optional<std::string> character_reference(std::string_view digits) {
@@ -77,40 +44,11 @@ std::optional<std::string> entity(std::string_view name) {
 
 }  // namespace
 
-XmlExtents find_xml_extents(std::string_view text, std::size_t end) {
-  XmlExtents extents;
-  std::vector<std::size_t> open;
-  text = text.substr(0, end);
-  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at)) {
-    const std::string_view tag = text.substr(at);
-    if (tag.starts_with("<!--")) {
-      at = behind(text, "-->", at + 4);
-    } else if (tag.starts_with("<![CDATA[")) {
-      at = behind(text, "]]>", at);
-    } else if (tag.starts_with("<?")) {
-      at = behind(text, "?>", at);
-    } else if (tag.starts_with("<!")) {
-      at = behind_declaration(text, at);
-    } else if (tag.starts_with("</")) {
-      at = behind_tag(text, at);
-      if (open.empty()) continue;
-      extents.elements[open.back()].end = static_cast<std::uint32_t>(at);
-      open.pop_back();
-    } else {
-      const auto begin = static_cast<std::uint32_t>(at);
-      at = behind_tag(text, at);
-      const bool empty = text[at - 1] == '>' && text[at - 2] == '/';
-      if (!empty) open.push_back(extents.elements.size());
-      extents.elements.push_back({begin, static_cast<std::uint32_t>(empty ? at : text.size())});
-    }
-  }
-  for (const std::size_t element : open) extents.open.push_back(tag_name(text, extents.elements[element].begin + 1));
-  return extents;
-}
-
 MappedText decode_xml(const Span& span, DocumentBuilder& builder) {
-  MappedText decoded;
   const std::string_view raw = builder.sources.text(span);
+  if (raw.find('&') == std::string_view::npos && raw.find('\r') == std::string_view::npos)
+    return MappedText(builder.sources, span);
+  MappedText decoded;
   std::size_t done = 0;
   const auto append_run = [&](std::size_t end) {
     append_with_line_feeds(

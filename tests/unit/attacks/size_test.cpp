@@ -30,7 +30,7 @@ TEST(Attacks, ManyNumbersMayEndTooEarly) {
   expect_cut_short(classic_scene("Shape { geometry PointSet { coord Coordinate { point [ " + repeated("1.5 ", kMany)),
                    "s:2:54: error: `[` is not closed before the end of the file", 6);
   expect_cut_short(std::string(xml_scene("<Shape><PointSet><Coordinate point='")).substr(0, 63) + repeated("1.5 ", kMany),
-                   "s:2:37: error: an attribute needs the form", 6);
+                   "s:2:36: error: this `'` begins a value that is not closed", 6);
   expect_cut_short(R"({"X3D":{"Scene":{"-children":[{"Coordinate":{"@point":[)" + repeated("1.5,", kMany),
                    "s:1:55: error: this `[` is not closed before the end of the file", 6);
 }
@@ -108,6 +108,39 @@ TEST(Attacks, MistakesAreWorkOfTheirNumber) {
   EXPECT_LT(growth(scene("ROUTE A", ".a TO B.b "), kSize), kLinear);
   EXPECT_LT(growth(scene("PROTO P", " [ ] { Unknown { } } "), kSize), kLinear);
   EXPECT_LT(growth(scene("Group { g", " 1 } "), kSize), kLinear);
+}
+
+TEST(Attacks, BrokenMarkupIsWorkOfItsNumber) {
+  constexpr std::size_t kSize = 12'500;  // eight times that: 100,000
+  const auto scene = [](std::string_view head, std::string_view first, std::string_view second) {
+    return [=](std::size_t n) {
+      return "<X3D version='3.3'><Scene>" + std::string(head) + repeated(first, n) + repeated(second, n) + "</Scene></X3D>";
+    };
+  };
+  EXPECT_LT(growth(scene("", "<Group>", "</Transform>"), kSize), kLinear);
+  EXPECT_LT(growth(scene("", "<Group><Transform>", "</Group></Transform>"), kSize), kLinear);
+  EXPECT_LT(growth(scene("", "<Group><Transform></Group></Transform>", ""), kSize), kLinear);
+  EXPECT_LT(growth(scene("", "<Group/>", "</Group>"), kSize), kLinear);
+  EXPECT_LT(growth(scene("<Box ", "a=b ", "a "), kSize), kLinear);
+  EXPECT_LT(growth(scene("<Box a=b ", "b ", "<"), kSize), kLinear);
+  EXPECT_LT(growth(scene("<Box ", "a='", "b"), kSize), kLinear);
+  for (const std::string_view opening :
+       {"<!-- ", "<![CDATA[ ", "<? ", "<!DOCTYPE [ ", "<Script><![CDATA[<![CDATA[]]></Script>"}) {
+    EXPECT_LT(growth(scene("", opening, ""), kSize), kLinear) << opening;
+  }
+}
+
+TEST(Attacks, BrokenMarkupIsReadToTheLimitOfMistakes) {
+  const std::string opens = "<X3D version='3.3'><Scene>" + repeated("<Group>", 100'000);
+  for (const std::string& text : {opens + repeated("</Transform>", 100'000), opens + repeated("</Group><Box>", 100'000),
+                                  opens + repeated("<Box></Group>", 100'000), opens + repeated("</a></Group>", 100'000)}) {
+    const std::size_t peak = peak_of([&] {
+      const auto built = build(text);
+      const std::size_t said = built->diagnostics.all().size();
+      if (said > kMaxSyntaxMistakes + 1 || built->graph.size() > kMaxNesting + kMaxSyntaxMistakes) _exit(1);
+    });
+    expect_peak(peak, 4 * text.size());
+  }
 }
 
 TEST(Attacks, MistakesAboutOneNodeOfManyFieldsAreWorkOfTheirNumber) {

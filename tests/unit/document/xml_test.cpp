@@ -143,17 +143,40 @@ TEST(Document, DecodesNames) {
 // Mistakes
 
 TEST(Document, ReportsMarkupThatDoesNotFit) {
-  EXPECT_EQ(messages_of(xml("<Group>\n<Box/>")), "4:1 1 this end tag does not close `<Group>`, which is open here\n");
-  EXPECT_EQ(messages_of("<X3D version='3.3'><Scene><Group/>"), "1:35 0 `<Scene>` is not closed before the end of the file\n");
-  EXPECT_EQ(messages_of("<X3D version='3.3'><Scene/></X3D></Group>"), "1:34 1 this end tag closes nothing\n");
-  EXPECT_EQ(messages_of(xml("<Box size=1/>")), "2:11 1 an attribute needs the form `name=\"value\"`\n");
-  EXPECT_EQ(messages_of(xml("<A><![CDATA[ x </A>")), "2:4 1 a CDATA section is not closed by `]]>`\n");
+  EXPECT_EQ(messages_of(xml("<Group>\n<Box/>")), "4:1 8 this end tag does not close `<Group>`, which is open here\n");
+  EXPECT_EQ(messages_of("<X3D version='3.3'><Scene><Group/>"), "1:21 5 `<Scene>` is not closed before the end of the file\n");
+  EXPECT_EQ(messages_of("<X3D version='3.3'><Scene/></X3D></Group>"), "1:34 8 this end tag closes nothing\n");
+  EXPECT_EQ(messages_of(xml("<Box size=1/>")), "2:11 1 the value of `size` stands without quotes; write `size=\"1\"`\n");
+  EXPECT_EQ(messages_of(xml("<A><![CDATA[ x </A>")), "2:4 9 a CDATA section is not closed by `]]>`\n");
 }
 
 TEST(Document, KeepsWhatStoodBeforeBrokenMarkup) {
   const Reading reading("<X3D version='3.3'><Scene><Box size='1 1 1'/><Sphere></Scene></X3D>");
   EXPECT_EQ(reading.document.statements.count, 2U);
   EXPECT_EQ(reading.diagnostics.all().size(), 1U);
+}
+
+TEST(Document, EndsAnElementInFrontOfTheEndTagThatOvertakesIt) {
+  const Reading reading(xml("<Group><Shape><Box> </Group> <A b='1 <C/>"));
+  EXPECT_EQ(reading.messages(),
+            "2:21 8 this end tag does not close `<Box>`, which is open here\n"
+            "2:35 1 this `'` begins a value that is not closed\n");
+  const auto written = [&](std::size_t node) { return reading.sources.text(reading.document.nodes.at(node).span); };
+  EXPECT_EQ(written(0), "<Box> ");
+  EXPECT_EQ(written(1), "<Shape><Box> ");
+  EXPECT_EQ(written(2), "<Group><Shape><Box> </Group>");
+}
+
+TEST(Document, ReadsBehindEveryMistakeOfMarkup) {
+  for (const char* const mistake :
+       {"</A>",    "<A</A>", "<A></A", "<A b></A>", "<A b=></A>",  "<A b='/>",   "<A b=\"/>",      "<A b=1/>",
+        "<A , />", "<A / >", "<A></>", "<!--",      "<!-- -- -->", "<?a>",       "<!DOCTYPE X3D",  "<",
+        "<!",      "<>",     "< A/>",  "<A></a>",   "&",           "<A b='<'/>", "<A b='1'c='2'/>"}) {
+    const Reading reading(xml(std::string("<Box/>") + mistake + "\n<Sphere/>\n"));
+    EXPECT_EQ(reading.diagnostics.all().size(), 1U) << mistake << "\n" << reading.messages();
+    EXPECT_EQ(reading.sources.text(reading.document.nodes.back().span), "<Sphere/>") << mistake;
+    EXPECT_EQ(reading.document.statements.count, reading.document.nodes.size()) << mistake;
+  }
 }
 
 TEST(Document, ReportsUnknownEntitiesAndKeepsThemAsWritten) {
