@@ -2,6 +2,7 @@
 
 #include "compile.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -16,6 +17,7 @@
 #include "scene/node_graph.h"
 #include "scene/stage.h"
 #include "scene/type_document.h"
+#include "validate/validate_states.h"
 
 namespace plugc {
 namespace {
@@ -62,7 +64,7 @@ LoadedScene load_scene(SourceId source, const std::filesystem::path& path, std::
   // from here everything that was written has a place
   loaded.graph = build_graph(std::move(document), path, sources, files, diagnostics, read_stage(stage, sources, diagnostics));
   // from here every USE is resolved, every prototype expanded, every Inline loaded, every value typed
-  loaded.scene = build_scene(loaded.graph, sources, files, {options.for_lint}, diagnostics);
+  loaded.scene = build_scene(loaded.graph, sources, files, {options.for_lint, options.dynamic}, diagnostics);
   loaded.scene.name = path.filename().string();
   // from here shapes know their lights, textures, effects and shadow maps
   return loaded;
@@ -90,7 +92,7 @@ SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions
   TemplateLibrary templates(sources);
   ValidationStatistics validation;
   const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
-  prepared.parts.programs = validate_recipes(prepared.recipes, input, options.targets, validator, diagnostics, validation);
+  prepared.parts.programs = validate_states(prepared.recipes, input, options.targets, validator, diagnostics, validation);
   for (const ValidRecipe& program : prepared.parts.programs) {
     prepared.parts.program_names.push_back(to_text(program.used, prepared.parts.scene));
   }
@@ -104,6 +106,18 @@ SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions
   return std::move(prepared.parts);
 }
 
+void report_unknown_dynamic(const std::vector<std::string>& names, const std::vector<SceneParts>& parts,
+                            Diagnostics& diagnostics) {
+  for (const std::string& name : names) {
+    const bool known = std::ranges::any_of(parts, [&](const SceneParts& part) {
+      return std::ranges::find(part.scene.known_dynamic, name) != part.scene.known_dynamic.end();
+    });
+    if (known) continue;
+    diagnostics.report(DiagnosticId::dynamic_field, {},
+                       fmt::format("no node is named as `--dynamic {}` says; write `DEF.field`", name));
+  }
+}
+
 }  // namespace
 
 Compilation compile(const std::vector<std::filesystem::path>& scenes, const CompileOptions& options, Validator& validator,
@@ -113,6 +127,7 @@ Compilation compile(const std::vector<std::filesystem::path>& scenes, const Comp
   for (const std::filesystem::path& path : scenes) {
     parts.push_back(compile_scene(path, options, validator, sources, diagnostics, compilation));
   }
+  report_unknown_dynamic(options.dynamic, parts, diagnostics);
   const PhaseTimer timer(compilation.statistics.assemble);
   compilation.package = assemble_package(std::move(parts), sources, fmt::format("plugc {}", PLUGC_VERSION));
   return compilation;
@@ -131,7 +146,7 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
   if (stage != "recipes") return text;
   const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
   for (std::size_t i = 0; i < prepared.recipes.size(); ++i)
-    text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i], prepared.parts.scene));
+    text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i].recipe, prepared.parts.scene));
   return text;
 }
 

@@ -58,29 +58,60 @@ AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
   return use;
 }
 
+/// Recipes, each once.
+class RecipeList {
+ public:
+  explicit RecipeList(std::vector<StateRecipe>& recipes) : recipes_(recipes) {}
+
+  int add(const Recipe& recipe, int fuller) {
+    const auto [found, added] = known_.try_emplace(recipe, static_cast<int>(recipes_.size()));
+    if (added) recipes_.push_back({recipe, fuller});
+    if (fuller < 0) recipes_[static_cast<std::size_t>(found->second)].fuller = -1;  // some shape needs it for itself
+    return found->second;
+  }
+
+ private:
+  std::vector<StateRecipe>& recipes_;
+  std::map<Recipe, int> known_;
+};
+
+ShapeFacts shape_facts(const PreparedScene& prepared, const SceneShape& shape, const Mesh& mesh, AlphaUse alpha) {
+  const bool shader_has_geometry =
+      shape.shader >= 0 && prepared.shaders[static_cast<std::size_t>(shape.shader)].has_geometry_main;
+  return {!mesh.normals.empty(),     !mesh.colors.empty(), mesh.solid,
+          alpha == AlphaUse::tested, primitive_of(mesh),   shader_has_geometry};
+}
+
+/// The programs of all states of a shape: first those with most in them, which others are reductions of.
+void plan_variants(ShapeStates states, bool casts, const std::vector<EffectCode>& effects, RecipeList& recipes,
+                   ShapePlan& plan) {
+  plan.variants.resize(states.recipes.size());
+  for (const bool reduced : {false, true}) {
+    for (std::size_t i = 0; i < states.recipes.size(); ++i) {
+      const StateRecipe& wanted = states.recipes[i];
+      if ((wanted.fuller >= 0) != reduced) continue;
+      const PlannedVariant fuller = reduced ? plan.variants[static_cast<std::size_t>(wanted.fuller)] : PlannedVariant();
+      plan.variants[i].program = recipes.add(wanted.recipe, fuller.program);
+      if (casts) plan.variants[i].depth_program = recipes.add(make_depth_recipe(wanted.recipe, effects), fuller.depth_program);
+    }
+  }
+  plan.switches = std::move(states.switches);
+  plan.states = std::move(states.states);
+}
+
 void prepare_recipes(PreparedScene& prepared) {
   SceneParts& parts = prepared.parts;
-  std::map<Recipe, int> known;
-  const auto recipe_index = [&](const Recipe& recipe) {
-    const auto [found, added] = known.try_emplace(recipe, static_cast<int>(prepared.recipes.size()));
-    if (added) prepared.recipes.push_back(recipe);
-    return found->second;
-  };
+  RecipeList recipes(prepared.recipes);
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     const SceneShape& shape = parts.scene.shapes[i];
     ShapePlan& plan = parts.shapes[i];
     if (plan.mesh == nullptr) continue;
     const AlphaUse alpha = shape_alpha(parts, shape);
     plan.blended = alpha == AlphaUse::blended;
-    const bool shader_has_geometry =
-        shape.shader >= 0 && prepared.shaders[static_cast<std::size_t>(shape.shader)].has_geometry_main;
-    const ShapeFacts facts{!plan.mesh->normals.empty(), !plan.mesh->colors.empty(), plan.mesh->solid,
-                           alpha == AlphaUse::tested,   primitive_of(*plan.mesh),   shader_has_geometry};
-    const Recipe recipe = make_recipe(parts.scene, shape, facts, prepared.effects);
-    plan.program = recipe_index(recipe);
     const bool casts =
         shape.casts_shadow && !plan.blended && !parts.scene.shadow_maps.empty() && plan.mesh->topology == Topology::triangles;
-    if (casts) plan.depth_program = recipe_index(make_depth_recipe(recipe, prepared.effects));
+    const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, alpha);
+    plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects), casts, prepared.effects, recipes, plan);
   }
 }
 

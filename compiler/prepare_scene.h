@@ -8,6 +8,7 @@
 #include "base/file_access.h"
 #include "compose/code_unit.h"
 #include "compose/recipe.h"
+#include "compose/shape_states.h"
 #include "package/assemble_package.h"
 #include "scene/scene.h"
 
@@ -17,7 +18,7 @@ namespace plugc {
 struct PreparedScene {
   SceneParts parts;                          ///< Without programs.
   std::vector<EffectCode> effects, shaders;  ///< By index of the scene's lists.
-  std::vector<Recipe> recipes;               ///< Each once; `parts.shapes` index it.
+  std::vector<StateRecipe> recipes;          ///< Each once; `parts.shapes` index it.
 };
 
 PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics);

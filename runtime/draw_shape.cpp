@@ -101,7 +101,8 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   const PackedShape& shape = scene.shape(index);
   const gl::Mesh& mesh = scene.resources.mesh(shape.mesh());
   if (mesh.index_count == 0) return false;
-  const std::uint32_t program_index = pass.depth_only ? static_cast<std::uint32_t>(shape.depth_program()) : shape.program();
+  const ShapePrograms use = scene.programs_of(index);
+  const std::uint32_t program_index = pass.depth_only ? static_cast<std::uint32_t>(use.depth_program) : use.program;
   const LoadedProgram& program = scene.programs.get(program_index, messages);
   if (!program.program) return false;
   gl::use_program(functions, program.program);
@@ -109,8 +110,7 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   const UniformInputs inputs{*scene.packed,  scene.slots,       scene.world,
                              pass.view,      pass.shadow_views, pass.depth_only ? &pass.view : nullptr,
                              object_to_world};
-  apply_bindings(functions, scene, pass, program, pass.depth_only ? *shape.depth_bindings() : *shape.bindings(), inputs,
-                 messages);
+  apply_bindings(functions, scene, pass, program, pass.depth_only ? *use.depth_bindings : *use.bindings, inputs, messages);
   if (!pass.depth_only) gl::set_draw_state(functions, state_of(shape, object_to_world));
   gl::draw_mesh(functions, mesh);
   pass.programs.insert(program_index);
@@ -129,7 +129,7 @@ std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view
   const auto key = [&](std::uint32_t i) {
     const PackedShape& shape = scene.shape(i);
     const bool blended = shape.blended();
-    return std::tuple(blended, -distance[i], blended ? 0 : shape.program(), !blended && shape.cull_back(),
+    return std::tuple(blended, -distance[i], blended ? 0 : scene.programs_of(i).program, !blended && shape.cull_back(),
                       !blended && shape.wireframe(), blended ? 0 : shape.mesh());
   };
   std::stable_sort(order.begin(), order.end(), [&key](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
@@ -143,7 +143,7 @@ std::vector<std::uint32_t> caster_order(const LoadedScene& scene, const View& vi
     if (casts(*scene.packed, scene.world, i) && may_be_seen(scene, i, world_to_clip)) order.push_back(i);
   }
   std::stable_sort(order.begin(), order.end(), [&scene](std::uint32_t a, std::uint32_t b) {
-    const auto key = [&scene](std::uint32_t i) { return std::pair(scene.shape(i).depth_program(), scene.shape(i).mesh()); };
+    const auto key = [&scene](std::uint32_t i) { return std::pair(scene.programs_of(i).depth_program, scene.shape(i).mesh()); };
     return key(a) < key(b);
   });
   return order;

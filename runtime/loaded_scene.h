@@ -23,6 +23,8 @@ struct LoadedScene {
 
   std::uint32_t shape_count() const { return packed->shapes()->size(); }
   const PackedShape& shape(std::uint32_t index) const { return *packed->shapes()->Get(index); }
+  /// What the shape is drawn with, as its switches stand now.
+  ShapePrograms programs_of(std::uint32_t index) const { return shape_programs(shape(index), world.shape_variant[index]); }
 };
 
 }  // namespace plugc

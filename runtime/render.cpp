@@ -112,8 +112,11 @@ void upload(LoadedScene& scene, Messages& messages) {
   for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
     const PackedShape& shape = scene.shape(i);
     scene.resources.mesh(shape.mesh());
-    scene.programs.get(shape.program(), messages);
-    if (shape.depth_program() >= 0) scene.programs.get(static_cast<std::uint32_t>(shape.depth_program()), messages);
+    for (std::uint32_t variant = 0; variant <= shape.variants()->size(); ++variant) {
+      const ShapePrograms use = shape_programs(shape, static_cast<std::uint8_t>(variant));
+      scene.programs.get(use.program, messages);
+      if (use.depth_program >= 0) scene.programs.get(static_cast<std::uint32_t>(use.depth_program), messages);
+    }
   }
 }
 
@@ -167,6 +170,25 @@ void Renderer::set_slot(std::uint32_t slot, const std::vector<double>& values) {
   if (state_->scene.slots.set(slot, values)) return;
   state_->messages.add("slot " + std::to_string(slot) + " does not hold " + std::to_string(values.size()) +
                        " values: it keeps what it had");
+}
+
+bool Renderer::set_field(std::string_view name, const std::vector<double>& values, std::string& error) {
+  LoadedScene& scene = state_->scene;
+  bool found = false;
+  if (scene.packed != nullptr) {
+    for (const PackedSlotName* slot : *scene.packed->slot_names()) {
+      if (slot->name()->string_view() != name || !slot->dynamic()) continue;
+      found = true;
+      if (scene.slots.set(slot->slot(), values)) continue;
+      error = "`" + std::string(name) + "` holds " + std::to_string(scene.slots.values(slot->slot()).size()) +
+              " numbers, not " + std::to_string(values.size());
+      return false;
+    }
+  }
+  if (!found)
+    error = "the package does not let a host change `" + std::string(name) + "`: build it with `--dynamic " +
+            std::string(name) + "`";
+  return found;
 }
 
 Picture Renderer::draw(const FrameOptions& options) {

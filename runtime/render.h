@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/load_package.h"
@@ -53,6 +54,10 @@ class Renderer {
 
   /// Sets the value of a slot (see PackedSlot); `values` holds all its numbers.
   void set_slot(std::uint32_t slot, const std::vector<double>& values);
+
+  /// Sets a field that the package declares dynamic (`plugc build --dynamic DEF.field`), in every node of that name; booleans
+  /// are 0 and 1. No program is compiled for it. False, with `error`, for any other field or another number of values.
+  bool set_field(std::string_view name, const std::vector<double>& values, std::string& error);
 
   Picture draw(const FrameOptions& options);
   const FrameStatistics& statistics() const;

@@ -24,19 +24,21 @@ bool receives(const PackedShape& shape, std::uint32_t map) {
   return std::find(shape.receives()->begin(), shape.receives()->end(), map) != shape.receives()->end();
 }
 
-/// A shape may also show the map as a texture without being shadowed by it.
-bool reads(const PackedShape& shape, std::uint32_t map) {
-  if (receives(shape, map)) return true;
-  return std::any_of(shape.bindings()->begin(), shape.bindings()->end(), [map](const PackedBinding* binding) {
+bool reads(const flatbuffers::Vector<const PackedBinding*>& bindings, std::uint32_t map) {
+  return std::any_of(bindings.begin(), bindings.end(), [map](const PackedBinding* binding) {
     return binding->source() == PackedSource::shadow_map && binding->a() == map;
   });
 }
 
-std::vector<std::uint32_t> find_readers(const PackedScene& scene, std::uint32_t map) {
-  std::vector<std::uint32_t> readers;
+std::vector<MapReader> find_readers(const PackedScene& scene, std::uint32_t map) {
+  std::vector<MapReader> readers;
   const std::uint32_t shape_count = scene.shapes()->size();
   for (std::uint32_t i = 0; i < shape_count; ++i) {
-    if (reads(*scene.shapes()->Get(i), map)) readers.push_back(i);
+    const PackedShape& shape = *scene.shapes()->Get(i);
+    for (std::uint32_t variant = 0; variant <= shape.variants()->size(); ++variant) {
+      const auto number = static_cast<std::uint8_t>(variant);
+      if (reads(*shape_programs(shape, number).bindings, map)) readers.push_back({i, number});
+    }
   }
   return readers;
 }
@@ -89,12 +91,14 @@ bool must_be_drawn(const ShadowMap& map, PackedShadowUpdate update, const Slots&
   if (!map.texture) return false;
   const bool stale =
       map.drawn_revision == 0 || (update == PackedShadowUpdate::always && map.drawn_revision != slots.revision());
-  return stale && std::any_of(map.readers.begin(), map.readers.end(),
-                              [&world](std::uint32_t shape) { return world.shape_visible[shape]; });
+  return stale && std::ranges::any_of(map.readers, [&world](const MapReader& reader) {
+           return world.shape_visible[reader.shape] && world.shape_variant[reader.shape] == reader.variant;
+         });
 }
 
 bool casts(const PackedScene& scene, const World& world, std::uint32_t shape) {
-  return world.shape_visible[shape] && scene.shapes()->Get(shape)->depth_program() >= 0;
+  return world.shape_visible[shape] &&
+         shape_programs(*scene.shapes()->Get(shape), world.shape_variant[shape]).depth_program >= 0;
 }
 
 View fit_shadow_map(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,

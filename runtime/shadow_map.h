@@ -11,13 +11,19 @@
 
 namespace plugc {
 
+/// A shape in one of its variants.
+struct MapReader {
+  std::uint32_t shape = 0;
+  std::uint8_t variant = 0;
+};
+
 struct ShadowMap {
   gl::Texture texture;  ///< None when the map is never drawn: whoever reads it is lit.
   gl::Framebuffer framebuffer;
   GLsizei size = 0;
-  std::vector<std::uint32_t> readers;  ///< Shapes that look into it.
-  View view;                           ///< What the light saw when the map was drawn last.
-  std::uint64_t drawn_revision = 0;    ///< Of the slots, at that time; 0: never.
+  std::vector<MapReader> readers;    ///< Whose programs look into it.
+  View view;                         ///< What the light saw when the map was drawn last.
+  std::uint64_t drawn_revision = 0;  ///< Of the slots, at that time; 0: never.
 };
 
 /// One per PackedShadowMap. Sizes beyond what can be made, and lights that cannot have a map yet, are reported.

@@ -46,7 +46,7 @@ EyeLight eye_light(std::uint32_t index, const UniformInputs& inputs) {
   const PackedLight& light = *inputs.scene.lights()->Get(index);
   const PlacedTransform& placed = inputs.world.at(light.transform());
   return {light, inputs.slots, light.headlight() ? glm::dmat4(1.0) : inputs.view.world_to_eye * placed.matrix,
-          placed.visible && inputs.slots.boolean(light.on(), true)};
+          light_shines(light, inputs.slots, inputs.world)};
 }
 
 /// Direction of travel; unit.
@@ -74,6 +74,7 @@ Numbers light_numbers(const PackedBinding& binding, const UniformInputs& inputs)
     case PackedSource::light_position: return numbers(position(l));
     case PackedSource::light_spot_direction: return numbers(glm::dvec4(travel(l), 0.0));
     case PackedSource::light_spot_cos_cutoff: return {std::cos(cut_off_angle(l))};
+    case PackedSource::light_on: return {l.shines ? 1.0 : 0.0};
     case PackedSource::light_spot_cutoff: return {cut_off_angle(l)};
     case PackedSource::light_beam_width: return {l.slots.number(l.light.beam_width(), std::numbers::pi / 4)};
     case PackedSource::light_radius: return {l.slots.number(l.light.radius(), 100) * average_scale(l.to_eye)};
@@ -159,7 +160,8 @@ Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, co
     case PackedSource::light_radius:
     case PackedSource::light_color:
     case PackedSource::light_ambient_color:
-    case PackedSource::light_attenuation: return light_numbers(binding, inputs);
+    case PackedSource::light_attenuation:
+    case PackedSource::light_on: return light_numbers(binding, inputs);
     default: return matrix_numbers(binding, inputs);
   }
 }

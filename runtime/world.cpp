@@ -25,7 +25,25 @@ PlacedTransform place_transform(const PackedTransform& packed, const PlacedTrans
   return placed;
 }
 
+bool is_on(const PackedSwitch& one, const PackedScene& scene, const Slots& slots, const World& world) {
+  if (one.kind() == PackedSwitchKind::slot) return slots.boolean(one.index(), true);
+  return light_shines(*scene.lights()->Get(one.index()), slots, world);
+}
+
+std::uint8_t current_variant(const PackedShape& shape, const PackedScene& scene, const Slots& slots, const World& world) {
+  std::uint32_t state = 0;
+  const std::uint32_t count = shape.switches()->size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (is_on(*shape.switches()->Get(i), scene, slots, world)) state |= 1U << i;
+  }
+  return count == 0 ? 0 : shape.states()->Get(state);
+}
+
 }  // namespace
+
+bool light_shines(const PackedLight& light, const Slots& slots, const World& world) {
+  return world.at(light.transform()).visible && slots.boolean(light.on(), true);
+}
 
 const PlacedTransform& World::at(std::int32_t transform) const {
   return transform < 0 ? root_ : transforms[static_cast<std::size_t>(transform)];
@@ -41,6 +59,7 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
     const PlacedTransform& placed = world.at(shape->transform());
     const Box own = placed.visible ? mesh_bounds(*package.meshes()->Get(shape->mesh())) : Box{};
     world.shape_visible.push_back(placed.visible);
+    world.shape_variant.push_back(current_variant(*shape, scene, slots, world));
     world.shape_bounds.push_back(transformed(own, placed.matrix));
     world.bounds = join(world.bounds, world.shape_bounds.back());
   }

@@ -22,7 +22,8 @@ struct World {
   std::vector<PlacedTransform> transforms;
   std::vector<Box> shape_bounds;  ///< World space; empty for a shape that is hidden or without vertices.
   std::vector<bool> shape_visible;
-  Box bounds;  ///< Around all visible shapes.
+  std::vector<std::uint8_t> shape_variant;  ///< Which of a shape's programs its switches ask for now.
+  Box bounds;                               ///< Around all visible shapes.
 
   /// The transform of that index; -1: the world.
   const PlacedTransform& at(std::int32_t transform) const;
@@ -32,6 +33,9 @@ struct World {
 };
 
 World place(const Package& package, const PackedScene& scene, const Slots& slots);
+
+/// Whether the light is on, and in no branch that a Switch has not chosen.
+bool light_shines(const PackedLight& light, const Slots& slots, const World& world);
 
 /// Object space of a Transform node to its parent's space: T * C * R * SR * S * -SR * -C (X3D 4.1, 10.4.4).
 glm::dmat4 transform_matrix(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale,

@@ -40,8 +40,16 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
   verb.add_flag("--no-cache", options.no_cache, "Neither read nor write plugc's cache folder");
 }
 
+void add_dynamic_option(CLI::App& verb, CommonOptions& options) {
+  verb.add_option("--dynamic", options.dynamic,
+                  "A field that the host may change while the scene is drawn, as DEF.field; may be given several times")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
 CompileOptions compile_options(const CommonOptions& options) {
   CompileOptions compile;
+  compile.dynamic = options.dynamic;
   compile.root = options.root;
   compile.targets.clear();
   for (const std::string& name : options.targets) {

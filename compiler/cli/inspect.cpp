@@ -47,19 +47,28 @@ void print_names(std::string_view title, const flatbuffers::Vector<flatbuffers::
   fmt::print("\n");
 }
 
-/// Which source feeds a uniform, as the first shape that uses the program has it.
-void print_uniforms(const Package& package, const PackedProgram& program, std::size_t index) {
-  const PackedShape* user = nullptr;
+/// The bindings of the first shape that has the program in some state; null when none has.
+const flatbuffers::Vector<const PackedBinding*>* find_bindings(const Package& package, std::size_t program) {
   for (const PackedScene* scene : *package.scenes()) {
     for (const PackedShape* shape : *scene->shapes()) {
-      if (user == nullptr && shape->program() == index) user = shape;
+      for (std::uint32_t variant = 0; variant <= shape->variants()->size(); ++variant) {
+        const ShapePrograms use = shape_programs(*shape, static_cast<std::uint8_t>(variant));
+        if (use.program == program) return use.bindings;
+        if (use.depth_program >= 0 && static_cast<std::size_t>(use.depth_program) == program) return use.depth_bindings;
+      }
     }
   }
+  return nullptr;
+}
+
+/// Which source feeds a uniform, as the first shape that uses the program has it.
+void print_uniforms(const Package& package, const PackedProgram& program, std::size_t index) {
+  const auto* bindings = find_bindings(package, index);
   for (std::size_t i = 0; i < program.uniforms()->size(); ++i) {
     const PackedUniform* uniform = program.uniforms()->Get(static_cast<flatbuffers::uoffset_t>(i));
     std::string fed = "nothing (keeps the value of its text, or 0)";
-    if (user != nullptr && user->bindings() != nullptr) {
-      for (const PackedBinding* binding : *user->bindings()) {
+    if (bindings != nullptr) {
+      for (const PackedBinding* binding : *bindings) {
         if (binding->uniform() == i) fed = fmt::format("{} {}", EnumNamePackedSource(binding->source()), binding->a());
       }
     }
@@ -166,6 +175,7 @@ void add_inspect_command(CLI::App& app, int& status) {
   verb->add_option("--target", options->common.targets, "Dialects to compose for: glsl330, essl300, spirv")
       ->delimiter(',')
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
+  add_dynamic_option(*verb, options->common);
   add_common_options(*verb, options->common);
   verb->footer("Without an option the programs are listed.\n\nExample: plugc inspect scene.x3dv --program 0");
   verb->callback([options, &status] { status = inspect(*options); });

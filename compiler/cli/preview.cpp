@@ -1,8 +1,10 @@
 // plugc preview: a scene or a package as a picture. The context is made in a second thread while the first one compiles, and
 // taken down there while the first one writes the picture.
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <functional>
 #include <future>
 #include <memory>
 #include <thread>
@@ -10,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/field_setting.h"
 #include "image/write_png.h"
 #include "runtime/render.h"
 
@@ -24,6 +27,7 @@ struct PreviewOptions {
   std::string viewpoint;
   std::string stage = "teapot";
   std::uint32_t samples = 1;
+  std::vector<std::string> settings;
   bool no_shadows = false;
   bool statistics = false;
 };
@@ -54,13 +58,19 @@ struct Drawn {
   std::vector<std::string> messages;
 };
 
+bool apply(const std::vector<FieldSetting>& settings, Renderer& renderer, std::string& error) {
+  return std::ranges::all_of(settings,
+                             [&](const FieldSetting& one) { return renderer.set_field(one.name, one.values, error); });
+}
+
 /// Makes the context at once, then waits for the package. All GL of a renderer happens in one thread, its end too.
-void draw(const RendererOptions& options, const FrameOptions& frame, std::future<const Package*> package,
-          std::promise<Drawn> done) {
+void draw(const RendererOptions& options, const FrameOptions& frame, const std::vector<FieldSetting>& settings,
+          std::future<const Package*> package, std::promise<Drawn> done) {
   Drawn drawn;
   const std::unique_ptr<Renderer> renderer = Renderer::make(options, drawn.error);
   const Package* loaded = package.get();
-  if (renderer != nullptr && loaded != nullptr && renderer->load(*loaded, 0, drawn.error)) {
+  if (renderer != nullptr && loaded != nullptr && renderer->load(*loaded, 0, drawn.error) &&
+      apply(settings, *renderer, drawn.error)) {
     drawn.picture = renderer->draw(frame);
     drawn.statistics = renderer->statistics();
     drawn.messages = renderer->messages();
@@ -69,7 +79,8 @@ void draw(const RendererOptions& options, const FrameOptions& frame, std::future
 }
 
 /// The package's bytes, read or compiled; `status` says how it went.
-std::vector<std::uint8_t> package_bytes(const PreviewOptions& options, Validator* validator, int& status) {
+std::vector<std::uint8_t> package_bytes(const PreviewOptions& options, const std::vector<FieldSetting>& settings,
+                                        Validator* validator, int& status) {
   if (validator == nullptr) {
     std::ifstream stream(options.input, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -78,6 +89,7 @@ std::vector<std::uint8_t> package_bytes(const PreviewOptions& options, Validator
   Diagnostics diagnostics(sources);
   CompileOptions compile_with = compile_options(options.common);
   compile_with.stage = options.stage;
+  for (const FieldSetting& one : settings) compile_with.dynamic.push_back(one.name);
   const Compilation made = compile({options.input}, compile_with, *validator, sources, diagnostics);
   status = report(diagnostics);
   return write_package(made.package);
@@ -88,6 +100,15 @@ int preview(const PreviewOptions& options) {
   if (!read_size(options.size, frame)) {
     fmt::print(stderr, "plugc: `--size {}` is no size; write WIDTHxHEIGHT, e.g. 800x450\n", options.size);
     return kBrokenUse;
+  }
+  std::vector<FieldSetting> settings;
+  for (const std::string& text : options.settings) {
+    const auto setting = read_field_setting(text);
+    if (!setting) {
+      fmt::print(stderr, "plugc: `--set {}` sets nothing; write DEF.field=VALUE, e.g. Glow.enabled=FALSE\n", text);
+      return kBrokenUse;
+    }
+    settings.push_back(*setting);
   }
   frame.viewpoint = options.viewpoint;
   frame.samples = options.samples;
@@ -100,10 +121,10 @@ int preview(const PreviewOptions& options) {
   std::promise<const Package*> package;
   std::promise<Drawn> done;
   std::future<Drawn> picture = done.get_future();
-  const auto drawing =
-      std::async(std::launch::async, draw, renderer_options(options), frame, package.get_future(), std::move(done));
+  const auto drawing = std::async(std::launch::async, draw, renderer_options(options), frame, std::cref(settings),
+                                  package.get_future(), std::move(done));
   int status = kFine;
-  bytes = package_bytes(options, validator.get(), status);
+  bytes = package_bytes(options, settings, validator.get(), status);
   const PackageView view = open_package(bytes);
   package.set_value(view.package);
   validator.reset();
@@ -145,8 +166,14 @@ void add_preview_command(CLI::App& app, int& status) {
   verb->add_option("--samples", options->samples, "Samples a pixel; 4 smooths edges and costs time")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
+  verb->add_option("--set", options->settings,
+                   "Draw another state: DEF.field=VALUE, e.g. Glow.enabled=FALSE; may be given several times. In a package the "
+                   "field must have been built with --dynamic")
+      ->take_all()
+      ->allow_extra_args(false);
   verb->add_flag("--no-shadows", options->no_shadows, "Draw everything lit, to see what shadows do");
   verb->add_flag("--statistics", options->statistics, "Print draw calls, programs and shadow passes");
+  add_dynamic_option(*verb, options->common);
   add_common_options(*verb, options->common);
   verb->footer(
       "Draws on the CPU (OSMesa); no display is needed.\n\n"

@@ -80,6 +80,7 @@ namespace {
 
 void erase_effects(Recipe& recipe, auto predicate) {
   std::erase_if(recipe.effects, predicate);
+  std::erase_if(recipe.guarded, predicate);
   for (LightRecipe& light : recipe.lights) std::erase_if(light.effects, predicate);
   for (TextureRecipe& texture : recipe.textures) std::erase_if(texture.effects, predicate);
 }

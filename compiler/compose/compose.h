@@ -34,6 +34,13 @@ struct FieldUniform {
   Span span;       ///< Of the uniform's name.
 };
 
+/// A uniform `bool` that says whether an effect's or a light's code runs.
+struct SwitchUniform {
+  std::string name;  ///< `plugc_on_0`
+  bool of_light = false;
+  int index = -1;  ///< Into Scene::effects, or the number of a light of the recipe.
+};
+
 struct ComposedStage {
   ShaderStage stage = ShaderStage::vertex;
   MappedText text;
@@ -42,6 +49,7 @@ struct ComposedStage {
 struct ComposedProgram {
   std::vector<ComposedStage> stages;
   std::vector<FieldUniform> fields;
+  std::vector<SwitchUniform> switches;
   std::vector<std::string> plugs_filled;  ///< Plugs that effects filled, sorted.
   std::vector<std::string> plugs_empty;   ///< The other plugs that the program offers, sorted.
   std::vector<int> faulty_effects;        ///< Effects that cannot stay in (reported); compose again without them.

@@ -114,6 +114,7 @@ void OwnerNamer::name_owner(std::size_t owner) {
 }
 
 void OwnerNamer::run() {
+  for (const SwitchUniform& one : c_.result.switches) c_.taken.take(one.name, kAllStages, 0);
   take_attributes();
   for (std::size_t owner = 0; owner < c_.owners.size(); ++owner) name_owner(owner);
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "compose/castle_names.h"
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
@@ -24,6 +26,8 @@ class Placer {
 
  private:
   void note_used_names(const EffectCode& code);
+  void add_switches();
+  std::vector<std::size_t> guards(PlugScope scope, int effect = -1) const;
   void add_template(std::string_view name, ShaderStage stage, const Features& features, PlugScope scope);
   void place_base();
   bool place_shader();
@@ -58,8 +62,32 @@ void Placer::note_used_names(const EffectCode& code) {
   }
 }
 
+/// A switch for each effect and each light that may be off while the program runs.
+void Placer::add_switches() {
+  auto& switches = c_.result.switches;
+  const auto add = [&](bool of_light, int index) {
+    switches.push_back({fmt::format("plugc_on_{}", switches.size()), of_light, index});
+  };
+  for (const int effect : recipe_.guarded) add(false, effect);
+  for (std::size_t i = 0; i < recipe_.lights.size(); ++i) {
+    if (recipe_.lights[i].guarded) add(true, static_cast<int>(i));
+  }
+}
+
+std::vector<std::size_t> Placer::guards(PlugScope scope, int effect) const {
+  std::vector<std::size_t> found;
+  const auto& switches = c_.result.switches;
+  for (std::size_t i = 0; i < switches.size(); ++i) {
+    const bool guards = switches[i].of_light ? scope.kind == ScopeKind::light && switches[i].index == scope.number
+                                             : switches[i].index == effect;
+    if (guards) found.push_back(i);
+  }
+  return found;
+}
+
 void Placer::add_template(std::string_view name, ShaderStage stage, const Features& features, PlugScope scope) {
   c_.units.push_back(make_placed_unit(c_.input.templates.get(name, stage, features, scope.number), stage, 0, scope));
+  c_.units.back().guards = guards(scope);
 }
 
 Features Placer::base_features() const {
@@ -137,6 +165,7 @@ void Placer::place_base() {
 
 void Placer::place_light(int number) {
   const LightRecipe& light = recipe_.lights[static_cast<std::size_t>(number)];
+  if (light.off) return;
   const PlugScope scope{ScopeKind::light, number};
   add_template("light.glsl", lighting_, light_features(light), scope);
   if (!light.shadow) return;
@@ -199,11 +228,14 @@ void Placer::place_effects(const std::vector<int>& effects, PlugScope scope) {
   for (const int effect : effects) {
     if (std::find(faulty.begin(), faulty.end(), effect) != faulty.end()) continue;
     c_.owners.push_back({OwnerKind::effect, effect, {}, {}});
+    const std::size_t first = c_.units.size();
     place_code(c_.input.effects[static_cast<std::size_t>(effect)], c_.owners.size() - 1, scope);
+    for (std::size_t unit = first; unit < c_.units.size(); ++unit) c_.units[unit].guards = guards(scope, effect);
   }
 }
 
 void Placer::place() {
+  add_switches();
   place_base();
   base_adds_lights_ = base_has_marker("add_light");
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) place_light(static_cast<int>(i));

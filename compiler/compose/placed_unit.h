@@ -39,7 +39,8 @@ struct Owner {
 struct PlugCall {
   std::size_t unit = 0;
   std::size_t function = 0;
-  bool rgb_only = false;  ///< A vec3 function at a vec4 marker: it gets `.rgb` of the first argument.
+  bool rgb_only = false;                 ///< A vec3 function at a vec4 marker: it gets `.rgb` of the first argument.
+  std::vector<std::size_t> guards = {};  ///< Only while these are on; into ComposedProgram::switches.
 };
 
 struct PlacedUnit {
@@ -47,6 +48,7 @@ struct PlacedUnit {
   ShaderStage stage = ShaderStage::vertex;
   std::size_t owner = 0;  ///< Into Composition::owners; 0 is the renderer.
   PlugScope scope;
+  std::vector<std::size_t> guards;           ///< Its code runs while these are on; into ComposedProgram::switches.
   bool of_shadow = false;                    ///< Without it the shape merely shows no shadow of its light.
   bool dropped = false;                      ///< A piece of the renderer whose plugs the base shader lacks.
   std::vector<std::string> function_names;   ///< Final names of plug functions by function; others are empty.

@@ -12,8 +12,9 @@ namespace {
 
 class RecipeMaker {
  public:
-  RecipeMaker(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes)
-      : scene_(scene), shape_(shape), facts_(facts), codes_(codes), material_(material_of(scene, shape)) {}
+  RecipeMaker(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes,
+              const SwitchedParts& switched)
+      : scene_(scene), shape_(shape), facts_(facts), codes_(codes), switched_(switched), material_(material_of(scene, shape)) {}
 
   Recipe make();
 
@@ -29,8 +30,12 @@ class RecipeMaker {
     if (found == nullptr) return false;
     return found->routed || std::any_of(found->values.begin(), found->values.end(), [&](double v) { return v != value; });
   }
-  bool fills(const std::vector<int>& effects, std::string_view plug) const {
-    return std::any_of(effects.begin(), effects.end(), [&](int e) { return codes_[static_cast<std::size_t>(e)].fills(plug); });
+  bool is_off(int light) const { return switched_.lights_off.contains(light); }
+  /// Those of the list that are not switched off.
+  std::vector<int> switched_on(const std::vector<int>& effects) const {
+    std::vector<int> on;
+    std::ranges::copy_if(effects, std::back_inserter(on), [&](int e) { return !switched_.effects_off.contains(e); });
+    return on;
   }
   bool any_effect(auto predicate) const;
   bool any_fills(std::string_view plug) const {
@@ -54,16 +59,21 @@ class RecipeMaker {
   const SceneShape& shape_;
   const ShapeFacts& facts_;
   const std::vector<EffectCode>& codes_;
+  const SwitchedParts& switched_;
   SceneMaterial material_;
 };
 
 bool RecipeMaker::any_effect(auto predicate) const {
   const auto any_of_list = [&](const std::vector<int>& effects) {
-    return std::any_of(effects.begin(), effects.end(), [&](int e) { return predicate(codes_[static_cast<std::size_t>(e)]); });
+    return std::any_of(effects.begin(), effects.end(), [&](int e) {
+      return !switched_.effects_off.contains(e) && predicate(codes_[static_cast<std::size_t>(e)]);
+    });
   };
   return any_of_list(shape_.effects) ||
          std::any_of(shape_.lights.begin(), shape_.lights.end(),
-                     [&](int light) { return any_of_list(scene_.lights[static_cast<std::size_t>(light)].effects); }) ||
+                     [&](int light) {
+                       return !is_off(light) && any_of_list(scene_.lights[static_cast<std::size_t>(light)].effects);
+                     }) ||
          std::any_of(shape_.textures.begin(), shape_.textures.end(), [&](const TextureUse& use) {
            return any_of_list(scene_.textures[static_cast<std::size_t>(use.texture)].effects);
          });
@@ -72,6 +82,11 @@ bool RecipeMaker::any_effect(auto predicate) const {
 LightRecipe RecipeMaker::light(int index) const {
   const SceneLight& light = scene_.lights[static_cast<std::size_t>(index)];
   LightRecipe recipe;
+  if (is_off(index)) {
+    recipe.off = true;
+    return recipe;
+  }
+  recipe.guarded = switched_.lights_guarded.contains(index);
   recipe.kind = light.kind;
   recipe.ambient = (may_differ(light.ambient_intensity, 0) && has_ambient()) || any_fills("material_light_ambient");
   if (const Slot* attenuation = slot(light.attenuation)) {
@@ -84,7 +99,7 @@ LightRecipe RecipeMaker::light(int index) const {
   }
   recipe.shadow = std::find(shape_.receives.begin(), shape_.receives.end(), index) != shape_.receives.end();
   recipe.shadow_intensity = recipe.shadow && may_differ(light.shadow_intensity, 1);
-  recipe.effects = light.effects;
+  recipe.effects = switched_on(light.effects);
   return recipe;
 }
 
@@ -103,7 +118,7 @@ bool RecipeMaker::needs_vertex_eye(const Recipe& recipe) const {
 Recipe RecipeMaker::make() {
   Recipe recipe;
   recipe.shader = shape_.shader;
-  recipe.effects = shape_.effects;
+  recipe.effects = switched_on(shape_.effects);
   recipe.lit = material_.lighting == Lighting::phong && facts_.has_normals;
   recipe.gouraud = shape_.shading == Shading::gouraud && shape_.receives.empty() && shape_.shader < 0;
   recipe.normals = facts_.has_normals && (recipe.lit || has_effects() || recipe.shader >= 0);
@@ -118,10 +133,13 @@ Recipe RecipeMaker::make() {
   }
   recipe.ambient = recipe.lit && (has_ambient() || any_fills("material_light_ambient"));
   for (const TextureUse& use : shape_.textures) {
-    recipe.textures.push_back({use.mode, use.transform >= 0, scene_.textures[static_cast<std::size_t>(use.texture)].effects});
+    recipe.textures.push_back(
+        {use.mode, use.transform >= 0, switched_on(scene_.textures[static_cast<std::size_t>(use.texture)].effects)});
   }
   recipe.vertex_eye = needs_vertex_eye(recipe);
   if (has_geometry_shader()) recipe.primitive = facts_.primitive;
+  recipe.guarded.assign(switched_.effects_guarded.begin(), switched_.effects_guarded.end());
+  while (!recipe.lights.empty() && recipe.lights.back().off) recipe.lights.pop_back();  // nobody is numbered behind them
   return recipe;
 }
 
@@ -131,8 +149,9 @@ void append_effects(std::string& text, const std::vector<int>& effects, const Sc
 
 }  // namespace
 
-Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes) {
-  return RecipeMaker(scene, shape, facts, codes).make();
+Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes,
+                   const SwitchedParts& switched) {
+  return RecipeMaker(scene, shape, facts, codes, switched).make();
 }
 
 Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes) {
@@ -150,6 +169,8 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
     });
     if (moves && of_use) depth.effects.push_back(effect);
   }
+  std::ranges::copy_if(recipe.guarded, std::back_inserter(depth.guarded),
+                       [&](int effect) { return std::ranges::find(depth.effects, effect) != depth.effects.end(); });
   depth.normals = recipe.normals && !depth.effects.empty();
   if (has_geometry) depth.primitive = recipe.primitive;
   return depth;
@@ -171,10 +192,15 @@ std::string to_text(const Recipe& recipe, const Scene& scene) {
   if (recipe.shader >= 0) text += fmt::format(" `{}`", scene.shaders[static_cast<std::size_t>(recipe.shader)].label);
   constexpr std::string_view kKinds[] = {"directional", "point", "spot"};
   for (const LightRecipe& light : recipe.lights) {
+    if (light.off) {
+      text += "; light off";
+      continue;
+    }
     text += fmt::format("; light {}", kKinds[static_cast<std::size_t>(light.kind)]);
     const std::pair<bool, std::string_view> terms[] = {
         {light.ambient, " ambient"},       {light.attenuation, " attenuation"}, {light.radius, " radius"},
-        {light.beam_width, " beam_width"}, {light.shadow, " shadow"},           {light.shadow_intensity, " shadow_intensity"}};
+        {light.beam_width, " beam_width"}, {light.shadow, " shadow"},           {light.shadow_intensity, " shadow_intensity"},
+        {light.guarded, " switched"}};
     for (const auto& [set, word] : terms) {
       if (set) text += word;
     }
@@ -188,6 +214,10 @@ std::string to_text(const Recipe& recipe, const Scene& scene) {
   if (!recipe.effects.empty()) {
     text += "; effects";
     append_effects(text, recipe.effects, scene);
+  }
+  if (!recipe.guarded.empty()) {
+    text += "; switched";
+    append_effects(text, recipe.guarded, scene);
   }
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct LightRecipe {
   bool beam_width = false;
   bool shadow = false;
   bool shadow_intensity = false;  ///< Something else than full shadow.
+  bool off = false;               ///< Keeps its number and has no code.
+  bool guarded = false;           ///< Its code stands under a switch of the program.
   std::vector<int> effects;       ///< Into Scene::effects.
   auto operator<=>(const LightRecipe&) const = default;
 };
@@ -49,6 +52,7 @@ struct Recipe {
   std::vector<LightRecipe> lights;        ///< Number N of a light is its place here.
   std::vector<TextureRecipe> textures;    ///< Number N of a texture is its place here.
   std::vector<int> effects;               ///< Of the Appearance, then of the groups.
+  std::vector<int> guarded;  ///< Those, anywhere in the recipe, whose calls stand under a switch of the program. Sorted.
   auto operator<=>(const Recipe&) const = default;
 };
 
@@ -62,8 +66,15 @@ struct ShapeFacts {
   bool shader_has_geometry = false;  ///< Its ComposedShader has a geometry shader.
 };
 
+/// What of a shape can be switched while it is drawn, in one of its states (shape_states.h).
+struct SwitchedParts {
+  std::set<int> effects_off = {}, lights_off = {};          ///< Into Scene::effects and Scene::lights.
+  std::set<int> effects_guarded = {}, lights_guarded = {};  ///< On or off as the program's own switches say.
+};
+
 /// `codes` holds the outlined effects of the scene, by index.
-Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes);
+Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes,
+                   const SwitchedParts& switched = {});
 /// The recipe of a caster's depth pass: of its effects only those that move vertices or change primitives.
 Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes);
 

@@ -63,6 +63,13 @@ class PlugResolver {
   std::size_t call_bytes_ = 0;
 };
 
+/// All that guards the called code, save what guards its caller anyway.
+std::vector<std::size_t> guards_of_call(const PlacedUnit& called, const PlacedUnit& caller) {
+  std::vector<std::size_t> guards = called.guards;
+  std::erase_if(guards, [&](std::size_t guard) { return std::ranges::find(caller.guards, guard) != caller.guards.end(); });
+  return guards;
+}
+
 bool is_in_function(const MarkerOutline& marker) {
   return marker.enclosing_function != UINT32_MAX;
 }
@@ -119,7 +126,7 @@ CallResult PlugResolver::add_call(std::size_t index, std::size_t f, const Marker
   }
   const bool rgb_only =
       is_per_light_color(marker.name) && !function.parameters.empty() && function.parameters.front().type == "vec3";
-  c_.units[place.unit].calls[place.marker].push_back({index, f, rgb_only});
+  c_.units[place.unit].calls[place.marker].push_back({index, f, rgb_only, guards_of_call(unit, c_.units[place.unit])});
   return CallResult::called;
 }
 

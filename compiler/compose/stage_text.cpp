@@ -27,6 +27,7 @@ class HeadWriter {
   void write_version();
   void write_extensions();
   void write_geometry();
+  void write_switches();
   void write_castle_names();
   void write_declaration(const std::string& name);
   std::set<std::string> undeclared_names() const;
@@ -136,6 +137,18 @@ void HeadWriter::write_declaration(const std::string& name) {
   declared_.globals[name] = {fmt::format("{} {}", static_cast<int>(storage), meaning->type), {}};
 }
 
+/// The switches that some call of the stage stands under.
+void HeadWriter::write_switches() {
+  if (c_.result.switches.empty()) return;
+  std::set<std::size_t> asked;
+  for (const PlacedUnit* unit : units_) {
+    for (const std::vector<PlugCall>& calls : unit->calls) {
+      for (const PlugCall& call : calls) asked.insert(call.guards.begin(), call.guards.end());
+    }
+  }
+  for (const std::size_t one : asked) head_.append_generated(fmt::format("uniform bool {};\n", c_.result.switches[one].name));
+}
+
 void HeadWriter::write_castle_names() {
   std::set<std::string> names = undeclared_names();
   names.merge(unwritten_inputs());
@@ -151,6 +164,7 @@ MappedText HeadWriter::write() {
         "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DShadow;\n"
         "precision highp samplerCube;\nprecision highp samplerCubeShadow;\nprecision highp sampler3D;\n");
   }
+  write_switches();
   write_castle_names();
   return std::move(head_);
 }

@@ -50,6 +50,7 @@ class UnitWriter {
   void write_calls(const MarkerOutline& marker, const std::vector<PlugCall>& calls);
   void write_forward_declarations();
   std::string prototype(const PlugCall& call) const;
+  std::string condition(const PlugCall& call) const;
   Span call_origin(const PlugCall& call) const;
   void find_members();
   void write_names();
@@ -217,6 +218,13 @@ Span UnitWriter::call_origin(const PlugCall& call) const {
   return name_span(code, function.name, function.name_begin);
 }
 
+/// `if (plugc_on_0 && plugc_on_1) ` in front of a call that is not always made.
+std::string UnitWriter::condition(const PlugCall& call) const {
+  std::string text;
+  for (const std::size_t guard : call.guards) text += (text.empty() ? "if (" : " && ") + c_.result.switches[guard].name;
+  return text.empty() ? text : text + ") ";
+}
+
 void UnitWriter::write_calls(const MarkerOutline& marker, const std::vector<PlugCall>& calls) {
   const std::string separator = "\n" + indent_at(text_, marker.begin);
   const bool in_braces = is_sole_statement(code_, marker);
@@ -224,6 +232,7 @@ void UnitWriter::write_calls(const MarkerOutline& marker, const std::vector<Plug
   for (std::size_t i = 0; i < calls.size(); ++i) {
     const std::string& name = c_.units[calls[i].unit].function_names[calls[i].function];
     std::string before = i > 0 ? separator : in_braces ? "{ " : "";
+    before += condition(calls[i]);
     edits_.push_back({marker.begin, marker.begin,
                       fmt::format("{}{}({}{});{}", before, name, arguments, calls[i].rgb_only ? ".rgb" : "",
                                   in_braces && i + 1 == calls.size() ? " }" : ""),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "compose/castle_names.h"
 #include "package/pack_geometry.h"
@@ -28,10 +29,6 @@ class Assembler {
   std::uint32_t add_image(const std::shared_ptr<const Image>& image);
   std::uint32_t add_texture(const SceneTexture& texture, const std::shared_ptr<const Image>& image);
   std::map<const Mesh*, std::uint32_t> add_meshes(const SceneParts& parts);
-  std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t index,
-                                           const std::map<const Mesh*, std::uint32_t>& meshes,
-                                           const std::vector<std::uint32_t>& programs,
-                                           const std::vector<std::uint32_t>& textures);
 
   PackageT package_;
   SourceList sources_;
@@ -72,19 +69,26 @@ std::uint32_t Assembler::add_texture(const SceneTexture& texture, const std::sha
   return found->second;
 }
 
+/// Sets of texture coordinates that the program reads.
+std::uint32_t coordinate_units(const ValidRecipe& program) {
+  std::uint32_t units = 0;
+  for (const TargetProgram& target : program.targets) {
+    for (const ReflectedVariable& attribute : target.program.attributes()) {
+      if (!attribute.name.starts_with("castle_MultiTexCoord")) continue;
+      const int unit = find_castle_name(attribute.name).value_or(CastleName{}).number;
+      units = std::max(units, static_cast<std::uint32_t>(unit + 1));
+    }
+  }
+  return units;
+}
+
 std::map<const Mesh*, std::uint32_t> Assembler::add_meshes(const SceneParts& parts) {
   std::map<const Mesh*, std::uint32_t> units;
   for (const ShapePlan& plan : parts.shapes) {
-    if (plan.mesh == nullptr || plan.program < 0) continue;
+    if (plan.mesh == nullptr) continue;
     std::uint32_t& needed = units[plan.mesh.get()];
-    const ValidRecipe& program = parts.programs[static_cast<std::size_t>(plan.program)];
-    for (const TargetProgram& target : program.targets) {
-      for (const ReflectedVariable& attribute : target.program.attributes()) {
-        if (!attribute.name.starts_with("castle_MultiTexCoord")) continue;
-        const int unit = find_castle_name(attribute.name).value_or(CastleName{}).number;
-        needed = std::max(needed, static_cast<std::uint32_t>(unit + 1));
-      }
-    }
+    for (const PlannedVariant& variant : plan.variants)
+      needed = std::max(needed, coordinate_units(parts.programs[static_cast<std::size_t>(variant.program)]));
   }
   std::map<const Mesh*, std::uint32_t> indices;
   for (const ShapePlan& plan : parts.shapes) {  // in the order of the shapes, so that the bytes do not depend on addresses
@@ -105,6 +109,7 @@ void pack_slots(const Scene& scene, PackedSceneT& packed) {
     auto name = std::make_unique<PackedSlotNameT>();
     name->slot = static_cast<std::uint32_t>(i);
     name->name = slot.name;
+    name->dynamic = slot.dynamic;
     packed.slot_names.push_back(std::move(name));
   }
 }
@@ -177,31 +182,91 @@ bool has_known_bounds(const Recipe& recipe, const ValidRecipe& program) {
   return recipe.shader < 0 && std::find(filled.begin(), filled.end(), "vertex_object_space_change") == filled.end();
 }
 
-std::unique_ptr<PackedShapeT> Assembler::pack_shape(const SceneParts& parts, std::size_t index,
-                                                    const std::map<const Mesh*, std::uint32_t>& meshes,
-                                                    const std::vector<std::uint32_t>& programs,
-                                                    const std::vector<std::uint32_t>& textures) {
+/// Where the programs and textures of a scene lie in the package.
+struct Packed {
+  const std::vector<std::uint32_t>& programs;  // by recipe of the scene; kNothing: none is valid
+  const std::vector<std::uint32_t>& textures;
+};
+
+PackedVariantT pack_variant(const SceneParts& parts, const PlannedVariant& planned, const BindingContext& context,
+                            const Packed& packed) {
+  PackedVariantT variant;
+  variant.program = packed.programs[static_cast<std::size_t>(planned.program)];
+  variant.bindings = pack_bindings(parts.programs[static_cast<std::size_t>(planned.program)], context);
+  if (planned.depth_program < 0 || packed.programs[static_cast<std::size_t>(planned.depth_program)] == kNothing) return variant;
+  variant.depth_program = static_cast<int>(packed.programs[static_cast<std::size_t>(planned.depth_program)]);
+  variant.depth_bindings = pack_bindings(parts.programs[static_cast<std::size_t>(planned.depth_program)], context);
+  return variant;
+}
+
+bool are_equal(const std::vector<PackedBinding>& a, const std::vector<PackedBinding>& b) {
+  return std::ranges::equal(a, b, [](const PackedBinding& x, const PackedBinding& y) {
+    return std::tuple(x.uniform(), x.a(), x.b(), x.scale(), x.source()) ==
+           std::tuple(y.uniform(), y.a(), y.b(), y.scale(), y.source());
+  });
+}
+
+bool are_equal(const PackedVariantT& a, const PackedVariantT& b) {
+  return a.program == b.program && a.depth_program == b.depth_program && are_equal(a.bindings, b.bindings) &&
+         are_equal(a.depth_bindings, b.depth_bindings);
+}
+
+PackedSwitch pack_switch(const Scene& scene, const ShapeSwitch& one) {
+  if (one.of_light) return {static_cast<std::uint32_t>(one.index), PackedSwitchKind::light};
+  return {scene.effects[static_cast<std::size_t>(one.index)].enabled, PackedSwitchKind::slot};
+}
+
+/// The shape's programs, each once, and which it is drawn with in which state. A state whose program is not valid, even with
+/// no effect in it, has the first that is.
+void pack_variants(const SceneParts& parts, std::size_t index, const Packed& where, PackedShapeT& packed) {
+  const ShapePlan& plan = parts.shapes[index];
+  const BindingContext context{parts.scene, parts.scene.shapes[index], where.textures};
+  std::vector<PackedVariantT> variants;
+  std::vector<std::uint8_t> numbers;  // by planned variant
+  for (const PlannedVariant& planned : plan.variants) {
+    const bool valid = where.programs[static_cast<std::size_t>(planned.program)] != kNothing;
+    std::size_t number = 0;
+    if (valid) {
+      PackedVariantT variant = pack_variant(parts, planned, context, where);
+      const auto same = std::ranges::find_if(variants, [&](const PackedVariantT& known) { return are_equal(known, variant); });
+      number = static_cast<std::size_t>(same - variants.begin());
+      if (number == variants.size()) variants.push_back(std::move(variant));
+    }
+    numbers.push_back(static_cast<std::uint8_t>(number));
+  }
+  packed.program = variants.front().program;
+  packed.bindings = std::move(variants.front().bindings);
+  packed.depth_program = variants.front().depth_program;
+  packed.depth_bindings = std::move(variants.front().depth_bindings);
+  if (variants.size() == 1) return;
+  for (const ShapeSwitch& one : plan.switches) packed.switches.push_back(pack_switch(parts.scene, one));
+  for (const std::uint8_t state : plan.states) packed.states.push_back(numbers[state]);
+  for (std::size_t i = 1; i < variants.size(); ++i)
+    packed.variants.push_back(std::make_unique<PackedVariantT>(std::move(variants[i])));
+}
+
+bool all_bounds_known(const SceneParts& parts, const ShapePlan& plan) {
+  return std::ranges::all_of(plan.variants, [&](const PlannedVariant& variant) {
+    const ValidRecipe& program = parts.programs[static_cast<std::size_t>(variant.program)];
+    return program.targets.empty() || has_known_bounds(program.used, program);
+  });
+}
+
+std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t index, std::uint32_t mesh, const Packed& where) {
   const SceneShape& shape = parts.scene.shapes[index];
   const ShapePlan& plan = parts.shapes[index];
-  const ValidRecipe& program = parts.programs[static_cast<std::size_t>(plan.program)];
-  const BindingContext context{parts.scene, shape, textures};
   auto packed = std::make_unique<PackedShapeT>();
   packed->name = shape.name;
   packed->transform = shape.transform;
-  packed->mesh = meshes.at(plan.mesh.get());
-  packed->program = programs[static_cast<std::size_t>(plan.program)];
-  packed->bindings = pack_bindings(program, context);
-  if (plan.depth_program >= 0 && programs[static_cast<std::size_t>(plan.depth_program)] != kNothing) {
-    packed->depth_program = static_cast<int>(programs[static_cast<std::size_t>(plan.depth_program)]);
-    packed->depth_bindings = pack_bindings(parts.programs[static_cast<std::size_t>(plan.depth_program)], context);
-  }
+  packed->mesh = mesh;
+  pack_variants(parts, index, where, *packed);
   packed->cull_back = plan.mesh->solid;
   packed->front_cw = !plan.mesh->ccw;
   packed->wireframe = shape.shading == Shading::wireframe;
   packed->blended = plan.blended;
   packed->blend_source = static_cast<PackedBlendFactor>(shape.blend.source);
   packed->blend_destination = static_cast<PackedBlendFactor>(shape.blend.destination);
-  packed->bounds_known = has_known_bounds(program.used, program);
+  packed->bounds_known = all_bounds_known(parts, plan);
   for (const int light : shape.receives) {
     packed->receives.push_back(static_cast<std::uint32_t>(parts.scene.lights[static_cast<std::size_t>(light)].shadow_map));
   }
@@ -227,9 +292,10 @@ void Assembler::add_scene(SceneParts& parts) {
   const auto meshes = add_meshes(parts);
   for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
     const ShapePlan& plan = parts.shapes[i];
-    const bool drawn =
-        plan.mesh != nullptr && plan.program >= 0 && programs[static_cast<std::size_t>(plan.program)] != kNothing;
-    if (drawn) packed->shapes.push_back(pack_shape(parts, i, meshes, programs, textures));
+    const bool drawn = std::ranges::any_of(plan.variants, [&](const PlannedVariant& variant) {
+      return programs[static_cast<std::size_t>(variant.program)] != kNothing;
+    });
+    if (drawn) packed->shapes.push_back(pack_shape(parts, i, meshes.at(plan.mesh.get()), {programs, textures}));
   }
   package_.scenes.push_back(std::move(packed));
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compose/shape_states.h"
 #include "image/image.h"
 #include "mesh/mesh.h"
 #include "package/package_file.h"
@@ -14,11 +15,18 @@
 
 namespace plugc {
 
+/// What a shape is drawn with in some of its states. Into SceneParts::programs.
+struct PlannedVariant {
+  int program = -1;
+  int depth_program = -1;  ///< -1: casts no shadow.
+};
+
 /// How a shape is drawn: what the recipe does not say.
 struct ShapePlan {
-  std::shared_ptr<const Mesh> mesh;  ///< Null: the shape is not drawn. Shapes with one geometry share it.
-  int program = -1;                  ///< Into SceneParts::programs; -1: not drawn.
-  int depth_program = -1;            ///< -1: casts no shadow.
+  std::shared_ptr<const Mesh> mesh;      ///< Null: the shape is not drawn. Shapes with one geometry share it.
+  std::vector<PlannedVariant> variants;  ///< At least one where there is a mesh.
+  std::vector<ShapeSwitch> switches;     ///< What decides among them.
+  std::vector<std::uint8_t> states;      ///< By the switches that are on, as bits: into `variants`.
   bool blended = false;
 };
 

@@ -86,6 +86,7 @@ class Binder {
 
  private:
   void bind_uniform(std::uint32_t index, const ReflectedVariable& uniform);
+  bool bind_switch(std::uint32_t index, const ReflectedVariable& uniform);
   void bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& field);
   void bind_castle(std::uint32_t index, const CastleName& name);
   void bind_light(std::uint32_t index, PackedSource source, int number);
@@ -193,7 +194,23 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
   }
 }
 
+/// The uniforms under which the code of switched effects and lights stands.
+bool Binder::bind_switch(std::uint32_t index, const ReflectedVariable& uniform) {
+  for (const TargetProgram& target : recipe_.targets) {
+    const auto& switches = target.composed.switches;
+    const auto one = std::ranges::find(switches, uniform.name, &SwitchUniform::name);
+    if (one == switches.end()) continue;
+    if (one->of_light)
+      bind_light(index, PackedSource::light_on, one->index);
+    else
+      add(index, PackedSource::slot, c_.scene.effects[static_cast<std::size_t>(one->index)].enabled);
+    return true;
+  }
+  return false;
+}
+
 void Binder::bind_uniform(std::uint32_t index, const ReflectedVariable& uniform) {
+  if (bind_switch(index, uniform)) return;
   for (const TargetProgram& target : recipe_.targets) {
     const auto& fields = target.composed.fields;
     const auto fed =

@@ -10,6 +10,7 @@
 // - a program has a target, a target a vertex stage, its stages are in pipeline order, SPIR-V is there where it is due;
 // - a binding feeds a sampler from a texture or a shadow map, and any other uniform from anything else;
 // - a mesh has its bounds, its streams lie within the stride and its indices within the vertices; pixels fill their image;
+// - a shape has a variant for every combination of its switches;
 // - transforms come behind their parents; texels and vertices are aligned to 16 bytes, slot values to 8.
 // Numbers themselves (NaN, infinities, a singular scale) are not judged.
 
@@ -22,7 +23,7 @@
 
 namespace plugc {
 
-inline constexpr std::uint32_t kPackageVersion = 1;
+inline constexpr std::uint32_t kPackageVersion = 2;
 inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 inline constexpr std::size_t kPackageHeaderBytes = 32;
 
@@ -40,6 +41,16 @@ std::vector<std::uint8_t> write_package(const PackageT& package);
 /// Why the runtime could not trust this package, with the place ("scene 0, shape 3: ..."), or "". Part of open_package().
 /// Requires that FlatBuffers' own verifier has passed the buffer of `buffer_size` bytes that holds it.
 std::string check_package(const Package& package, std::size_t buffer_size);
+
+/// What a shape is drawn with in one of its states. Points into the package.
+struct ShapePrograms {
+  std::uint32_t program = 0;
+  const flatbuffers::Vector<const PackedBinding*>* bindings = nullptr;
+  std::int32_t depth_program = -1;
+  const flatbuffers::Vector<const PackedBinding*>* depth_bindings = nullptr;
+};
+/// `variant` as the shape's `states` have it: 0 for its own programs.
+ShapePrograms shape_programs(const PackedShape& shape, std::uint8_t variant);
 
 /// Numbers in one element of a slot: 3 for a vec3.
 std::uint32_t component_count(PackedValueType type);

@@ -304,7 +304,8 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::light_radius:
     case PackedSource::light_color:
     case PackedSource::light_ambient_color:
-    case PackedSource::light_attenuation: return check.require_index(place, "light", binding.a(), scene.scene.lights()->size());
+    case PackedSource::light_attenuation:
+    case PackedSource::light_on: return check.require_index(place, "light", binding.a(), scene.scene.lights()->size());
     case PackedSource::model_view_matrix:
     case PackedSource::projection_matrix:
     case PackedSource::model_view_projection_matrix:
@@ -327,32 +328,61 @@ bool check_binding(SceneCheck& scene, const PackedBinding& binding, const Packed
   return check_operands(scene, binding, uniform, place);
 }
 
-bool check_depth_pass(SceneCheck& scene, const PackedShape& shape, const Place& place) {
+bool check_bindings(SceneCheck& scene, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
+                    std::int32_t program, const Place& place) {
+  const auto& programs = *scene.check.package.programs();
+  return scene.check.each(&place, word, bindings, [&](const PackedBinding* binding, const Place& at) {
+    if (program < 0) return scene.check.fail(at, "the shape has no depth program");
+    return check_binding(scene, *binding, *programs.Get(static_cast<std::uint32_t>(program)), at);
+  });
+}
+
+bool check_programs(SceneCheck& scene, const ShapePrograms& use, const Place& place) {
   PackageCheck& check = scene.check;
-  const auto& programs = *check.package.programs();
-  if (!is_index_or_none(shape.depth_program(), programs.size())) {
-    return check.fail(place, fmt::format("depth program {} does not exist", shape.depth_program()));
+  const std::size_t count = check.package.programs()->size();
+  if (!check.require_index(place, "program", use.program, count) ||
+      !check_bindings(scene, "binding", *use.bindings, static_cast<std::int32_t>(use.program), place)) {
+    return false;
   }
-  return check.each(&place, "depth binding", *shape.depth_bindings(), [&](const PackedBinding* binding, const Place& at) {
-    if (shape.depth_program() < 0) return check.fail(at, "the shape has no depth program");
-    return check_binding(scene, *binding, *programs.Get(static_cast<std::uint32_t>(shape.depth_program())), at);
+  if (!is_index_or_none(use.depth_program, count))
+    return check.fail(place, fmt::format("depth program {} does not exist", use.depth_program));
+  return check_bindings(scene, "depth binding", *use.depth_bindings, use.depth_program, place);
+}
+
+bool check_switch(SceneCheck& scene, const PackedSwitch& one, const Place& place) {
+  if (!is_enumerator(one.kind())) return scene.check.fail(place, "its kind is unknown");
+  return one.kind() == PackedSwitchKind::slot
+             ? scene.present_slot(place, "it", one.index(), 1)
+             : scene.check.require_index(place, "light", one.index(), scene.scene.lights()->size());
+}
+
+/// Every combination of the switches must lead to programs.
+bool check_states(SceneCheck& scene, const PackedShape& shape, const Place& place) {
+  constexpr std::uint32_t kMaxSwitches = 8;
+  PackageCheck& check = scene.check;
+  const std::uint32_t switches = shape.switches()->size();
+  if (switches > kMaxSwitches) return check.fail(place, fmt::format("it has {} switches", switches));
+  const std::uint32_t needed = switches == 0 ? 0 : 1U << switches;
+  if (shape.states()->size() != needed)
+    return check.fail(place, fmt::format("it has {} states, not {}", shape.states()->size(), needed));
+  const std::uint32_t variants = shape.variants()->size();
+  return check.each(&place, "switch", *shape.switches(), [&](const PackedSwitch* one, const Place& at) {
+    return check_switch(scene, *one, at);
+  }) && check.each(&place, "variant", *shape.variants(), [&](const PackedVariant*, const Place& at) {
+    return check_programs(scene, shape_programs(shape, static_cast<std::uint8_t>(at.index + 1)), at);
+  }) && check.each(&place, "state", *shape.states(), [&](std::uint8_t variant, const Place& at) {
+    return variant <= variants || check.fail(at, fmt::format("variant {} does not exist, there are {}", variant, variants));
   });
 }
 
 bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place) {
   PackageCheck& check = scene.check;
-  const auto& programs = *check.package.programs();
   if (!is_enumerator(shape.blend_source()) || !is_enumerator(shape.blend_destination())) {
     return check.fail(place, "its blend factor is unknown");
   }
   return scene.transform(place, shape.transform()) &&
          check.require_index(place, "mesh", shape.mesh(), check.package.meshes()->size()) &&
-         check.require_index(place, "program", shape.program(), programs.size()) &&
-         check.each(&place, "binding", *shape.bindings(),
-                    [&](const PackedBinding* binding, const Place& at) {
-                      return check_binding(scene, *binding, *programs.Get(shape.program()), at);
-                    }) &&
-         check_depth_pass(scene, shape, place) &&
+         check_programs(scene, shape_programs(shape, 0), place) && check_states(scene, shape, place) &&
          check.each(&place, "receives", *shape.receives(), [&](std::uint32_t map, const Place& at) {
            return check.require_index(at, "shadow map", map, scene.scene.shadow_maps()->size());
          });

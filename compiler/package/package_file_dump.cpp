@@ -127,7 +127,8 @@ void dump_slot(Text& text, const PackedScene& scene, std::size_t index) {
 
 void dump_slots(Text& text, const PackedScene& scene) {
   for (std::size_t i = 0; i < scene.slots()->size(); ++i) dump_slot(text, scene, i);
-  for (const auto* name : *scene.slot_names()) line(text, "  slot {} is {}", name->slot(), quoted(*name->name()));
+  for (const auto* name : *scene.slot_names())
+    line(text, "  slot {} is {}{}", name->slot(), quoted(*name->name()), name->dynamic() ? ", the host may change it" : "");
 }
 
 void dump_transform(Text& text, const PackedTransform& transform, std::size_t index) {
@@ -167,6 +168,27 @@ void dump_bindings(Text& text, const flatbuffers::Vector<const PackedBinding*>& 
   }
 }
 
+void dump_programs(Text& text, const Package& package, const ShapePrograms& use) {
+  const auto& programs = *package.programs();
+  line(text, "    bindings");
+  dump_bindings(text, *use.bindings, *programs.Get(use.program));
+  if (use.depth_program < 0) return;
+  line(text, "    depth program {}", use.depth_program);
+  dump_bindings(text, *use.depth_bindings, *programs.Get(static_cast<std::uint32_t>(use.depth_program)));
+}
+
+void dump_states(Text& text, const Package& package, const PackedShape& shape) {
+  for (const PackedSwitch* one : *shape.switches())
+    line(text, "    switch {} {}", EnumNamePackedSwitchKind(one->kind()), one->index());
+  const auto& states = *shape.states();
+  if (states.size() != 0) line(text, "    variants by state {}", fmt::join(states.data(), states.data() + states.size(), " "));
+  for (flatbuffers::uoffset_t i = 0; i < shape.variants()->size(); ++i) {
+    const ShapePrograms use = shape_programs(shape, static_cast<std::uint8_t>(i + 1));
+    line(text, "    variant {}: program {}", i + 1, use.program);
+    dump_programs(text, package, use);
+  }
+}
+
 void dump_shape(Text& text, const Package& package, const PackedShape& shape, std::size_t index) {
   line(text, "  shape {} {}: transform {}, mesh {}, program {}", index, quoted(*shape.name()), shape.transform(), shape.mesh(),
        shape.program());
@@ -178,12 +200,8 @@ void dump_shape(Text& text, const Package& package, const PackedShape& shape, st
   }
   const auto& maps = *shape.receives();
   if (maps.size() != 0) line(text, "    receives shadow maps {}", fmt::join(maps.data(), maps.data() + maps.size(), " "));
-  const auto& programs = *package.programs();
-  line(text, "    bindings");
-  dump_bindings(text, *shape.bindings(), *programs.Get(shape.program()));
-  if (shape.depth_program() < 0) return;
-  line(text, "    depth program {}", shape.depth_program());
-  dump_bindings(text, *shape.depth_bindings(), *programs.Get(static_cast<std::uint32_t>(shape.depth_program())));
+  dump_programs(text, package, shape_programs(shape, 0));
+  dump_states(text, package, shape);
 }
 
 void dump_viewpoint(Text& text, const PackedViewpoint& viewpoint, std::size_t index) {

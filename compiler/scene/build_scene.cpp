@@ -88,7 +88,7 @@ void SceneWalk::visit_list(std::span<const NodeId> nodes, Scope scope) {
     if (graph_.is(node, "Effect")) {
       if (const int effect = effect_index(context_, node); effect >= 0) scope.effects.push_back(effect);
     } else if (graph_.is(node, "DirectionalLight") || graph_.is(node, "PointLight") || graph_.is(node, "SpotLight")) {
-      const bool off_for_good = !graph_.boolean(node, "on") && !context_.slots.is_routed(node, "on");
+      const bool off_for_good = !graph_.boolean(node, "on") && !context_.slots.may_change(node, "on");
       if (off_for_good) continue;
       (graph_.boolean(node, "global") ? global_lights_ : scope.lights).push_back(add_light(context_, node, scope.transform));
     }
@@ -139,7 +139,7 @@ void SceneWalk::visit_transform(NodeId node, const Scope& scope) {
 /// A Switch that nothing can change is its chosen child; one that a ROUTE drives keeps them all, each under a condition.
 void SceneWalk::visit_switch(NodeId node, const Scope& scope) {
   const auto children = graph_.children(node, "children");
-  if (!context_.slots.is_routed(node, "whichChoice") && !context_.options.all_branches) {
+  if (!context_.slots.may_change(node, "whichChoice") && !context_.options.all_branches) {
     const int choice = graph_.integer(node, "whichChoice");
     if (choice >= 0 && static_cast<std::size_t>(choice) < children.size()) {
       visit_list(children.subspan(static_cast<std::size_t>(choice), 1), scope);
@@ -242,12 +242,23 @@ void SceneWalk::add_global_lights(SceneShape& shape) {
   }
 }
 
+/// A host may write what it has announced, even where nothing of the scene reads it.
+void add_dynamic_slots(SceneContext& context) {
+  for (const DynamicField& field : context.dynamic) {
+    const std::span<const InterfaceField> own = context.graph[field.node].interface();
+    const auto declared = std::ranges::find(own, field.name, &InterfaceField::name);
+    declared == own.end() ? context.slots.slot(field.node, field.name) : context.slots.interface_slot(field.node, *declared);
+  }
+}
+
 }  // namespace
 
 Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files, const SceneOptions& options,
                   Diagnostics& diagnostics) {
   SceneContext context(graph, sources, files, options, diagnostics);
   SceneWalk(context).run();
+  add_dynamic_slots(context);
+  report_ignored_events(graph, diagnostics);
   return std::move(context.scene);
 }
 

@@ -27,8 +27,9 @@ struct Slot {
   SlotType type = SlotType::float_;
   std::uint32_t count = 1;  ///< Elements; more than 1 for arrays.
   std::vector<double> values;
-  std::string name;     ///< `DEF.field`, or empty.
-  bool routed = false;  ///< Some ROUTE writes it.
+  std::string name;      ///< `DEF.field`, or empty.
+  bool routed = false;   ///< Some ROUTE writes it, or the host may.
+  bool dynamic = false;  ///< The host may write it by its name.
 };
 
 /// Object to parent space, X3D 4.1 clause 10.4.4. Fields are slots.
@@ -68,6 +69,7 @@ struct SceneEffect {
   std::vector<ShaderField> fields;
   std::vector<std::string> libraries;
   bool warn_missing_uniforms = true;
+  std::uint32_t enabled = kSceneNoSlot;  ///< None: it is on for good. One that is off for good is in no scene.
 };
 
 /// A ComposedShader; the same shape as an effect, but it replaces the base shader.
@@ -194,6 +196,7 @@ struct Scene {
   std::vector<SceneMaterial> materials;
   std::vector<SceneShape> shapes;
   std::vector<SceneViewpoint> viewpoints;
+  std::vector<std::string> known_dynamic;  ///< Of SceneOptions::dynamic: what names a node of this scene.
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };
@@ -201,6 +204,7 @@ struct Scene {
 /// The shapes of a graph. With `all_branches` (lint), every child of a Switch and every disabled effect is taken too.
 struct SceneOptions {
   bool all_branches = false;
+  std::vector<std::string> dynamic = {};  ///< `DEF.field`: fields that the host may change, besides those that a ROUTE writes.
 };
 Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files, const SceneOptions& options,
                   Diagnostics& diagnostics);

@@ -207,11 +207,13 @@ int effect_index(SceneContext& context, NodeId node) {
   if (!context.graph.is(node, "Effect")) return -1;
   if (const auto found = context.effects.find(node); found != context.effects.end()) return found->second;
   int& index = context.effects[node] = -1;
-  if (!context.options.all_branches && !context.graph.boolean(node, "enabled")) return -1;
+  const bool switchable = context.slots.may_change(node, "enabled");
+  if (!switchable && !context.options.all_branches && !context.graph.boolean(node, "enabled")) return -1;
   if (!is_glsl(context, node, "an effect")) return -1;
   SceneEffect effect = read_shader_node(context, node);
   effect.warn_missing_uniforms = context.graph.string(node, "uniformMissing") != "IGNORE";
   effect.libraries = read_libraries(context, node);
+  if (switchable) effect.enabled = context.slots.slot(node, "enabled");
   context.scene.effects.push_back(std::move(effect));
   return index = static_cast<int>(context.scene.effects.size() - 1);
 }

@@ -18,7 +18,8 @@ struct SceneContext {
         files(file_access),
         options(scene_options),
         diagnostics(sink),
-        slots(node_graph, scene.slots) {}
+        dynamic(find_dynamic_fields(node_graph, scene_options.dynamic, scene.known_dynamic, sink)),
+        slots(node_graph, scene.slots, dynamic) {}
 
   const NodeGraph& graph;
   SourceSet& sources;
@@ -26,6 +27,7 @@ struct SceneContext {
   const SceneOptions& options;
   Diagnostics& diagnostics;
   Scene scene;
+  std::vector<DynamicField> dynamic;
   SlotTable slots;
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials;  ///< -1: takes no part.
 };

@@ -162,10 +162,13 @@ int add_light(SceneContext& context, NodeId node, int transform) {
 void add_headlight(SceneContext& context, NodeId navigation_info) {
   const NodeGraph& graph = context.graph;
   if (navigation_info.valid()) {
-    const bool switched = context.slots.is_routed(navigation_info, "headlight");
+    const bool switched = context.slots.may_change(navigation_info, "headlight");
     if (!graph.boolean(navigation_info, "headlight") && !switched) return;
     if (const NodeId node = graph.child(navigation_info, "headlightNode"); graph.is(node, "X3DLightNode")) {
-      context.scene.lights[static_cast<std::size_t>(add_light(context, node, -1))].headlight = true;
+      if (!graph.boolean(node, "on") && !context.slots.may_change(node, "on")) return;
+      SceneLight& light = context.scene.lights[static_cast<std::size_t>(add_light(context, node, -1))];
+      light.headlight = true;
+      if (switched && !context.slots.may_change(node, "on")) light.on = context.slots.slot(navigation_info, "headlight");
       return;
     }
   }

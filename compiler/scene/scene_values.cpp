@@ -38,12 +38,14 @@ std::uint32_t component_count(SlotType type) {
   return 1;
 }
 
-SlotTable::SlotTable(const NodeGraph& graph, std::vector<Slot>& slots) : graph_(graph), slots_(slots) {
+SlotTable::SlotTable(const NodeGraph& graph, std::vector<Slot>& slots, const std::vector<DynamicField>& dynamic)
+    : graph_(graph), slots_(slots) {
   for (const GraphRoute& route : graph.routes()) routed_.emplace(route.to, route.to_field);
+  for (const DynamicField& field : dynamic) dynamic_.emplace(field.node, field.name);
 }
 
-bool SlotTable::is_routed(NodeId node, std::string_view field) const {
-  return routed_.contains({node, field});
+bool SlotTable::may_change(NodeId node, std::string_view field) const {
+  return routed_.contains({node, field}) || dynamic_.contains({node, field});
 }
 
 std::uint32_t SlotTable::add(NodeId node, std::string_view field, const FieldValue& value) {
@@ -56,7 +58,8 @@ std::uint32_t SlotTable::add(NodeId node, std::string_view field, const FieldVal
   slot.values.assign(value.numbers.begin(), value.numbers.end());
   if (slot.values.empty()) slot.values.assign(component_count(*type), 0.0);
   slot.count = static_cast<std::uint32_t>(slot.values.size() / component_count(*type));
-  slot.routed = is_routed(node, field);
+  slot.routed = may_change(node, field);
+  slot.dynamic = dynamic_.contains({node, field});
   if (!graph_[node].def.empty()) slot.name = fmt::format("{}.{}", graph_[node].def, field);
   slots_.push_back(std::move(slot));
   const auto index = static_cast<std::uint32_t>(slots_.size() - 1);
@@ -69,7 +72,7 @@ std::uint32_t SlotTable::slot(NodeId node, std::string_view field) {
 }
 
 std::uint32_t SlotTable::slot_if_used(NodeId node, std::string_view field) {
-  return graph_.is_written(node, field) || is_routed(node, field) ? slot(node, field) : kSceneNoSlot;
+  return graph_.is_written(node, field) || may_change(node, field) ? slot(node, field) : kSceneNoSlot;
 }
 
 std::uint32_t SlotTable::interface_slot(NodeId node, const InterfaceField& field) {
@@ -80,7 +83,7 @@ std::uint32_t SlotTable::interface_slot(NodeId node, const InterfaceField& field
 
 std::uint32_t SlotTable::constant(SlotType type, std::vector<double> values) {
   const auto [found, added] = constants_.try_emplace({type, values}, static_cast<std::uint32_t>(slots_.size()));
-  if (added) slots_.push_back({type, 1, std::move(values), "", false});
+  if (added) slots_.push_back({type, 1, std::move(values), "", false, false});
   return found->second;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/dynamic_fields.h"
 #include "scene/node_graph.h"
 #include "scene/scene.h"
 
@@ -14,7 +15,8 @@ namespace plugc {
 
 class SlotTable {
  public:
-  SlotTable(const NodeGraph& graph, std::vector<Slot>& slots);
+  /// `dynamic`: fields that the host may change.
+  SlotTable(const NodeGraph& graph, std::vector<Slot>& slots, const std::vector<DynamicField>& dynamic);
 
   /// The slot of a field. The node's type must have the field.
   std::uint32_t slot(NodeId node, std::string_view field);
@@ -25,13 +27,14 @@ class SlotTable {
   /// A value that nothing changes; equal ones share a slot.
   std::uint32_t constant(SlotType type, std::vector<double> values);
 
-  bool is_routed(NodeId node, std::string_view field) const;
+  /// Whether a ROUTE or the host may change the field.
+  bool may_change(NodeId node, std::string_view field) const;
 
  private:
   std::uint32_t add(NodeId node, std::string_view field, const FieldValue& value);
   const NodeGraph& graph_;
   std::vector<Slot>& slots_;
-  std::set<std::pair<NodeId, std::string_view>> routed_;
+  std::set<std::pair<NodeId, std::string_view>> routed_, dynamic_;
   std::map<std::pair<NodeId, std::string_view>, std::uint32_t> known_;
   std::map<std::pair<SlotType, std::vector<double>>, std::uint32_t> constants_;
 };

@@ -6,7 +6,8 @@
 //     --- scene scene.x3d          in place of it, several times: each is compiled, and all that stands below holds for each
 //     --- gzip part.x3dvz          a file that is written compressed
 //     --- image wood.png           rows of pixels, top first, as RRGGBBAA; written as a PNG
-//     --- options                  a word a line: lint; stage teapot; target essl300 (once or several times)
+//     --- options                  a word a line: lint; stage teapot; target essl300, dynamic DEF.field (once or several
+//                                  times)
 //     --- diagnostics              everything that is said, in order: `LINE:COLUMN code message`; absent: nothing
 //     --- diagnostics scene.x3d    the same of one scene of several
 //     --- graph                    lines that `--dump scene` begins with hold in this order, without the places
@@ -14,7 +15,8 @@
 //                                  likewise `vertex` and `geometry`, the texts of the first target
 //     --- fragment 0 lacks         lines that it does not hold
 //     --- programs                 how many programs the package has
-//     --- pixels                   `X Y: R G B` in a picture of 32 by 32 pixels, from the top left
+//     --- pixels                   `X Y: R G B` in a picture of 32 by 32 pixels, from the top left; `pixels DEF.field=0 ...`
+//                                  with dynamic fields changed
 
 #include <filesystem>
 #include <string>

@@ -96,6 +96,7 @@ CompileOptions read_options(const CaseFile& file) {
     stream >> word >> value;
     if (word == "lint") options.for_lint = true;
     if (word == "stage") options.stage = value;
+    if (word == "dynamic") options.dynamic.push_back(value);
     if (word == "target") targets.push_back(target_named(value).value());
   }
   if (!targets.empty()) options.targets = std::move(targets);
@@ -159,8 +160,18 @@ void expect_stage(const Compiled& compiled, PackedStageKind stage, const CaseSec
     expect_in_order(text, section);
 }
 
+/// `--- pixels Glow.enabled=0 Lamp.on=1`
+FieldValues field_values(const CaseSection& section) {
+  FieldValues values;
+  for (std::size_t i = 1; i < section.title.size(); ++i) {
+    const std::size_t equals = section.title[i].find('=');
+    values.emplace_back(section.title[i].substr(0, equals), std::stod(section.title[i].substr(equals + 1)));
+  }
+  return values;
+}
+
 void expect_pixels(const Compiled& compiled, const CaseSection& section) {
-  const Picture picture = draw_package(*compiled.package, kPictureSide, kPictureSide);
+  const Picture picture = draw_package(*compiled.package, kPictureSide, kPictureSide, field_values(section));
   for (const std::string& line : section.lines) {
     if (line.empty()) continue;
     std::istringstream stream(line);

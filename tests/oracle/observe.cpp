@@ -62,12 +62,12 @@ Outcome observe_outcome(const std::string& text) {
   TemplateLibrary templates(sources);
   const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
   std::vector<ProgramTrace> traces;
-  for (const Recipe& recipe : prepared.recipes) {
-    traces.push_back(trace_of(compose_without_faulty(recipe, input, diagnostics), prepared.parts.scene));
+  for (const StateRecipe& one : prepared.recipes) {
+    traces.push_back(trace_of(compose_without_faulty(one.recipe, input, diagnostics), prepared.parts.scene));
   }
   Outcome outcome;
   for (const ShapePlan& shape : prepared.parts.shapes)
-    outcome.programs.push_back(traces[static_cast<std::size_t>(shape.program)]);
+    outcome.programs.push_back(traces[static_cast<std::size_t>(shape.variants.front().program)]);
   outcome.said = messages_of(diagnostics, source);
   return outcome;
 }

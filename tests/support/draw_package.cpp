@@ -25,13 +25,14 @@ Renderer* process_renderer() {
 
 }  // namespace
 
-Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height) {
+Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
   Renderer* renderer = process_renderer();
   std::string error;
   if (renderer == nullptr || !renderer->load(package, 0, error)) {
     ADD_FAILURE() << "nothing can be drawn: " << error;
     return {};
   }
+  for (const auto& [name, value] : fields) EXPECT_TRUE(renderer->set_field(name, {value}, error)) << error;
   FrameOptions frame;
   frame.width = width;
   frame.height = height;

@@ -5,6 +5,9 @@
 
 #include <array>
 #include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "package/package_file.h"
 #include "runtime/render.h"
@@ -13,8 +16,13 @@ namespace plugc {
 
 using Color = std::array<int, 3>;
 
-/// Draws the first scene of a package on the one renderer of this process. Whatever the renderer has to say is a failure.
-Picture draw_package(const Package& package, std::uint32_t width = 64, std::uint32_t height = 64);
+/// Values of dynamic fields, by `DEF.field`.
+using FieldValues = std::vector<std::pair<std::string, double>>;
+
+/// Draws the first scene of a package, with these fields changed, on the one renderer of this process. Whatever the renderer
+/// has to say is a failure.
+Picture draw_package(const Package& package, std::uint32_t width = 64, std::uint32_t height = 64,
+                     const FieldValues& fields = {});
 
 /// The colour `x` pixels from the left and `y` from the top.
 Color color_at(const Picture& picture, std::uint32_t x, std::uint32_t y);

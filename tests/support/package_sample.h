@@ -72,6 +72,11 @@ inline PackedShapeT sample_shape() {
   shape.depth_bindings = {{0, kSampleColor, 0, 1, PackedSource::slot}};
   shape.cull_back = true;
   shape.receives = {0};
+  shape.switches = {{kSampleScalar, PackedSwitchKind::slot}, {0, PackedSwitchKind::light}};
+  shape.states = {1, 0, 1, 0};
+  shape.variants.push_back(std::make_unique<PackedVariantT>());
+  shape.variants.back()->program = 1;
+  shape.variants.back()->bindings = {{0, kSampleColor, 0, 1, PackedSource::slot}};
   return shape;
 }
 
@@ -82,6 +87,7 @@ inline PackedSceneT sample_scene() {
   scene.slot_values = {1, 0.5, 0, 0.25, 0, 1, 0, 1.5707963267948966};
   scene.slot_names.push_back(std::make_unique<PackedSlotNameT>());
   scene.slot_names.back()->name = "Paint.diffuseColor";
+  scene.slot_names.back()->dynamic = true;
   scene.transforms = {{-1, kSampleColor, kSampleRotation, kNoSlot, kNoSlot, kNoSlot, kNoSlot, 0},
                       {0, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kSampleScalar, 2}};
   scene.lights.push_back(std::make_unique<PackedLightT>());

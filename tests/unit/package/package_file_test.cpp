@@ -78,7 +78,7 @@ TEST(PackageFile, SaysWhatIsWrongWithAHeader) {
   EXPECT_EQ(error_of(bytes), "is no plugc package");
   bytes = good;
   bytes[8] = 3;
-  EXPECT_EQ(error_of(bytes), "is version 3, this plugc reads version 1");
+  EXPECT_EQ(error_of(bytes), "is version 3, this plugc reads version 2");
   bytes = good;
   bytes[12] = 1;
   EXPECT_EQ(error_of(bytes), "header is damaged");
@@ -205,6 +205,47 @@ TEST(PackageFile, ChecksShapes) {
             "scene 0, shape 0, receives 0: shadow map 1 does not exist, there are 1");
 }
 
+TEST(PackageFile, ChecksThatEveryStateHasPrograms) {
+  const auto after = [](const std::function<void(PackedShapeT&)>& change) {
+    return error_after([&](PackageT& p) { change(*p.scenes[0]->shapes[0]); });
+  };
+  EXPECT_EQ(after([](PackedShapeT& s) {
+              s.states = {0, 1, 0, 2};
+            }),
+            "scene 0, shape 0, state 3: variant 2 does not exist, there are 1");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.states = {0, 1, 0}; }), "scene 0, shape 0: it has 3 states, not 4");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.switches.clear(); }), "scene 0, shape 0: it has 4 states, not 0");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.switches.resize(9); }), "scene 0, shape 0: it has 9 switches");
+  EXPECT_EQ(after([](PackedShapeT& s) {
+              s.switches[0] = {3, PackedSwitchKind::slot};
+            }),
+            "scene 0, shape 0, switch 0: it is slot 3, which does not exist");
+  EXPECT_EQ(after([](PackedShapeT& s) {
+              s.switches[1] = {1, PackedSwitchKind::light};
+            }),
+            "scene 0, shape 0, switch 1: light 1 does not exist, there are 1");
+  EXPECT_EQ(after([](PackedShapeT& s) {
+              s.switches[1] = {0, PackedSwitchKind{2}};
+            }),
+            "scene 0, shape 0, switch 1: its kind is unknown");
+}
+
+TEST(PackageFile, ChecksVariantsAsItDoesShapes) {
+  const auto after = [](const std::function<void(PackedVariantT&)>& change) {
+    return error_after([&](PackageT& p) { change(*p.scenes[0]->shapes[0]->variants[0]); });
+  };
+  EXPECT_EQ(after([](PackedVariantT& v) { v.program = 2; }),
+            "scene 0, shape 0, variant 0: program 2 does not exist, there are 2");
+  EXPECT_EQ(after([](PackedVariantT& v) { v.depth_program = 2; }),
+            "scene 0, shape 0, variant 0: depth program 2 does not exist");
+  EXPECT_EQ(after([](PackedVariantT& v) {
+              v.bindings = {{3, 0, 0, 1, PackedSource::slot}};
+            }),
+            "scene 0, shape 0, variant 0, binding 0: uniform 3 does not exist, there are 3");
+  EXPECT_EQ(after([](PackedVariantT& v) { v.depth_bindings = v.bindings; }),
+            "scene 0, shape 0, variant 0, depth binding 0: the shape has no depth program");
+}
+
 TEST(PackageFile, ChecksBindings) {
   const auto after = [](PackedBinding binding) {
     return error_after([&](PackageT& p) { p.scenes[0]->shapes[0]->bindings = {binding}; });
@@ -219,6 +260,7 @@ TEST(PackageFile, ChecksBindings) {
   EXPECT_EQ(after({2, 1, 0, 1, PackedSource::texture}), place + "texture 1 does not exist, there are 1");
   EXPECT_EQ(after({2, 1, 0, 1, PackedSource::shadow_map}), place + "shadow map 1 does not exist, there are 1");
   EXPECT_EQ(after({0, 1, 0, 1, PackedSource::light_color}), place + "light 1 does not exist, there are 1");
+  EXPECT_EQ(after({0, 1, 0, 1, PackedSource::light_on}), place + "light 1 does not exist, there are 1");
   EXPECT_EQ(after({0, kNoSlot, kNoSlot, 1, PackedSource::color_and_transparency}), "");
 }
 
@@ -231,9 +273,10 @@ TEST(PackageFile, DumpsOneFactALine) {
        {"  uniform float weights[4]\n", "  attribute position: position 0\n", "  plugs filled: `texture_color`\n",
         "mesh 0: triangles, 3 vertices of 20 bytes, 3 indices\n  stream position 0: 3 floats at 0\n",
         "  bounds -1 -1 0 to 1 0.5 0\n", "texture 0: image 0, wrap repeat repeat, filter linear_mipmap_linear linear\n",
-        "  slot 0: vec3[1] 1 0.5 0\n", "  slot 0 is `Paint.diffuseColor`\n", "    while slot 1 is 2\n",
+        "  slot 0: vec3[1] 1 0.5 0\n", "  slot 0 is `Paint.diffuseColor`, the host may change it\n", "    while slot 1 is 2\n",
         "  light 0 `Lamp`: spot, transform -1\n    slots: on -, color 0,",
         "  shape 0 `Kettle`: transform 1, mesh 0, program 0\n", "      color = slot a 0 b 0 scale 1\n", "    depth program 1\n",
+        "    switch slot 1\n    switch light 0\n    variants by state 1 0 1 0\n    variant 1: program 1\n",
         "  viewpoint 0 `Front` `from the front`: transform -1\n"}) {
     EXPECT_NE(dump.find(line), std::string::npos) << line << "is not in\n" << dump;
   }

@@ -41,6 +41,16 @@ Ended run_plugc(const SceneFolder& folder, std::string_view arguments) {
           read_file(folder.path() / "err.txt")};
 }
 
+/// The colour in the middle of a picture of 32 by 32 pixels.
+Color middle_of(const SceneFolder& folder, std::string_view name) {
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  const auto image = decode_image(read_file(folder.path() / name), name, {}, diagnostics);
+  if (!image || image->width != 32 || image->height != 32) return {-1, -1, -1};
+  const std::size_t middle = (16 * 32 + 16) * std::size_t{image->channels};
+  return {image->pixels[middle], image->pixels[middle + 1], image->pixels[middle + 2]};
+}
+
 constexpr std::string_view kFine = R"(#X3D V4.0 utf8
 Shape {
   appearance Appearance {
@@ -88,13 +98,47 @@ TEST(CommandLine, TheFaultySceneIsDrawnWithTheEffectThatWorks) {
   const SceneFolder folder;
   folder.write("faulty.x3dv", kFaulty);
   EXPECT_EQ(run_plugc(folder, "preview faulty.x3dv -o picture.png --size 32x32").status, 1);
-  SourceSet sources;
-  Diagnostics diagnostics(sources);
-  const auto image = decode_image(read_file(folder.path() / "picture.png"), "picture.png", {}, diagnostics);
-  ASSERT_TRUE(image.has_value());
-  const std::size_t middle = (16 * 32 + 16) * std::size_t{image->channels};
-  EXPECT_THAT((Color{image->pixels[middle], image->pixels[middle + 1], image->pixels[middle + 2]}),
-              IsColor(Color{128, 255, 255}));
+  EXPECT_THAT(middle_of(folder, "picture.png"), IsColor(Color{128, 255, 255}));
+}
+
+constexpr std::string_view kSwitched = R"(#X3D V4.0 utf8
+Shape {
+  appearance Appearance {
+    material UnlitMaterial { emissiveColor 1 1 1 }
+    effects DEF Tint Effect { inputOutput SFColor color 1 0 0 parts EffectPart { type "FRAGMENT" url "data:text/plain,
+uniform vec3 color;
+void PLUG_fragment_modify(inout vec4 c) { c.rgb = color; }" } }
+  }
+  geometry Box { }
+}
+)";
+
+TEST(CommandLine, PreviewShowsAnotherState) {
+  const SceneFolder folder;
+  folder.write("scene.x3dv", kSwitched);
+  EXPECT_EQ(run_plugc(folder, "preview scene.x3dv -o on.png --size 32x32").status, 0);
+  EXPECT_THAT(middle_of(folder, "on.png"), IsColor(Color{255, 0, 0}));
+  EXPECT_EQ(run_plugc(folder, "preview scene.x3dv -o off.png --size 32x32 --set Tint.enabled=FALSE").status, 0);
+  EXPECT_THAT(middle_of(folder, "off.png"), IsColor(Color{255, 255, 255}));
+  EXPECT_EQ(run_plugc(folder, "preview scene.x3dv -o blue.png --size 32x32 --set 'Tint.color=0 0 1'").status, 0);
+  EXPECT_THAT(middle_of(folder, "blue.png"), IsColor(Color{0, 0, 255}));
+}
+
+TEST(CommandLine, APackageChangesOnlyWhatWasBuiltDynamic) {
+  const SceneFolder folder;
+  folder.write("scene.x3dv", kSwitched);
+  EXPECT_EQ(run_plugc(folder, "build scene.x3dv -o scene.plugpack --dynamic Tint.enabled").status, 0);
+  EXPECT_EQ(run_plugc(folder, "preview scene.plugpack -o off.png --size 32x32 --set Tint.enabled=FALSE").status, 0);
+  EXPECT_THAT(middle_of(folder, "off.png"), IsColor(Color{255, 255, 255}));
+  const Ended refused = run_plugc(folder, "preview scene.plugpack -o no.png --size 32x32 --set 'Tint.color=0 0 1'");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("the package does not let a host change `Tint.color`"));
+  for (const std::string_view wrong : {"Tint.color", "Tint=1", "Tint.=1", "Tint.enabled=", "Tint.enabled=maybe"}) {
+    const Ended run = run_plugc(folder, fmt::format("preview scene.plugpack -o no.png --set '{}'", wrong));
+    EXPECT_EQ(run.status, 2) << wrong;
+    EXPECT_THAT(run.err, HasSubstr("sets nothing")) << wrong;
+  }
+  EXPECT_EQ(run_plugc(folder, "build scene.x3dv -o scene.plugpack --dynamic Tint.enable").status, 1);
 }
 
 TEST(CommandLine, ExitStatusTellsMistakesOfTheInputFromThoseOfTheCommand) {

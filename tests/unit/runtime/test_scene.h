@@ -162,6 +162,21 @@ class SceneBuilder {
     shape(index).depth_bindings.emplace_back(0, 0, 0, 1.0F, PackedSource::model_view_projection_matrix);
   }
 
+  /// Gives the shape a second program, drawn while its only switch is off.
+  void add_off_program(std::uint32_t index, PackedSwitch one, std::uint32_t program, std::vector<PackedBinding> bindings) {
+    shape(index).switches = {one};
+    shape(index).states = {1, 0};
+    shape(index).variants.push_back(std::make_unique<PackedVariantT>());
+    shape(index).variants.back()->program = program;
+    shape(index).variants.back()->bindings = std::move(bindings);
+  }
+  void name_slot(std::uint32_t slot_index, const std::string& name, bool dynamic) {
+    scene().slot_names.push_back(std::make_unique<PackedSlotNameT>());
+    scene().slot_names.back()->slot = slot_index;
+    scene().slot_names.back()->name = name;
+    scene().slot_names.back()->dynamic = dynamic;
+  }
+
   std::int32_t transform(std::int32_t parent, std::uint32_t translation, std::uint32_t rotation_slot = kNoSlot,
                          std::uint32_t scale = kNoSlot, std::uint32_t scale_orientation = kNoSlot,
                          std::uint32_t center = kNoSlot) {
