@@ -38,6 +38,16 @@ constexpr bool runs_on_number(char c) {
   return is_a(c, kWordRest) || c == '.';
 }
 
+/// Behind the end of a line and eights of the blanks that the next one is indented by: most of the white space of a file.
+inline const char* skip_indentation(const char* at, const char* end) {
+  constexpr std::string_view kBlanks = "        ";
+  if (at != end && *at == '\n') ++at;
+  while (static_cast<std::size_t>(end - at) >= kBlanks.size() && kBlanks == std::string_view(at, kBlanks.size())) {
+    at += kBlanks.size();
+  }
+  return at;
+}
+
 enum XmlCharacter : std::uint8_t { kXmlBlank = 1, kXmlNameStart = 2, kXmlNameRest = 4 };
 
 /// XML 1.0, 2.3; every character beyond ASCII counts as a letter.

@@ -82,11 +82,7 @@ class ClassicScanner {
     skip_space();
   }
   void skip_space() {
-    constexpr std::string_view kIndentation = "        ";
-    while (static_cast<std::size_t>(end_ - at_) >= kIndentation.size() &&
-           kIndentation == std::string_view(at_, kIndentation.size())) {
-      at_ += kIndentation.size();
-    }
+    at_ = skip_indentation(at_, end_);
     while (at_ != end_ && is_a(*at_, kSpaceCharacter)) ++at_;
     if (at_ != end_ && *at_ == '#') skip_comments();
   }

@@ -76,7 +76,9 @@ bool read_quoted(const MappedText& text, std::size_t& at, MappedText& string) {
 }  // namespace
 
 LexicalNumbers read_lexical_numbers(const MappedText& text, LexicalKind kind, Diagnostics& diagnostics) {
+  constexpr std::size_t kUsualNumbers = 4;  // a vector, a colour, a rotation
   LexicalNumbers read;
+  read.numbers.reserve(kUsualNumbers);
   std::size_t mistakes = 0;
   const std::string_view bytes = text.text();
   const char* const end = bytes.data() + bytes.size();

@@ -82,7 +82,8 @@ void XmlScanner::skip_instruction() {
 
 void XmlScanner::report_declared_encoding(std::string_view declaration) {
   const std::string_view encoding = pseudo_attribute(declaration, "encoding");
-  if (encoding.empty() || equal_letters(encoding, "utf-8") || equal_letters(encoding, "us-ascii")) return;
+  const auto is = [&](std::string_view lower) { return equal_letters(encoding, lower); };
+  if (encoding.empty() || is("utf-8") || is("utf8") || is("us-ascii")) return;  // ASCII is UTF-8, too
   build_.diagnostics.report(
       DiagnosticId::header_odd, span(encoding.data(), encoding.data() + encoding.size()),
       fmt::format("this file declares the encoding `{}`, but is read as UTF-8; save it as UTF-8", shown(encoding)));

@@ -47,7 +47,7 @@ XmlItem XmlScanner::next() {
     if (ends_ > 0) return close_innermost();
     if (build_.stopped()) at_ = end_;
     const char* const begin = at_;
-    at_ = skip_blanks(at_);
+    at_ = skip_blanks(skip_indentation(at_, end_));
     if (at_ == end_) return take_end_of_file();
     if (!begins_markup(at_)) return take_text(begin);
     XmlItem item{};
