@@ -45,7 +45,7 @@ bool is_titled(const CaseSection& section, std::string_view title, std::string_v
 
 bool is_input(const CaseSection& section) {
   const std::string& kind = section.title.front();
-  return kind == "file" || kind == "scene" || kind == "image" || kind == "gzip" || kind == "options";
+  return kind == "file" || kind == "scene" || kind == "image" || kind == "options";
 }
 
 }  // namespace

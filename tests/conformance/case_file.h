@@ -4,7 +4,7 @@
 //     # What the case shows, in a sentence or two.
 //     --- file scene.x3dv          the first file is compiled; further ones lie beside it
 //     --- scene scene.x3d          in place of it, several times: each is compiled, and all that stands below holds for each
-//     --- gzip part.x3dvz          a file that is written compressed
+//     --- file part.x3dvz gzip     written compressed; likewise a scene
 //     --- image wood.png           rows of pixels, top first, as RRGGBBAA; written as a PNG
 //     --- options                  a word a line: lint; stage teapot; target essl300, dynamic DEF.field (once or several
 //                                  times)

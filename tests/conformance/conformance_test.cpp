@@ -79,8 +79,9 @@ void write_files(const CaseFile& file, const SceneFolder& folder) {
   for (const CaseSection& section : file.sections) {
     const std::string& kind = section.title.front();
     if (kind == "image") write_image(folder, section);
-    if (kind == "gzip") folder.write(section.title.at(1), gzipped(section_text(section)));
-    if (kind == "file" || kind == "scene") folder.write(section.title.at(1), section_text(section));
+    if (kind != "file" && kind != "scene") continue;
+    const bool compressed = section.title.size() > 2 && section.title[2] == "gzip";
+    folder.write(section.title.at(1), compressed ? gzipped(section_text(section)) : section_text(section));
   }
 }
 
@@ -205,8 +206,8 @@ void expect_section(const Compiled& compiled, const CaseSection& section) {
     expect_pixels(compiled, section);
   else if (kind == "programs")
     EXPECT_EQ(std::to_string(compiled.package->programs()->size()), section.lines.at(0));
-  else if (kind != "file" && kind != "scene" && kind != "image" && kind != "gzip" && kind != "options" &&
-           kind != "diagnostics" && kind != "graph") {
+  else if (kind != "file" && kind != "scene" && kind != "image" && kind != "options" && kind != "diagnostics" &&
+           kind != "graph") {
     ADD_FAILURE() << "line " << section.line << ": no section is called `" << kind << "`";
   }
 }
