@@ -142,6 +142,10 @@ void report_unreadable(FileStatus status, std::string_view name, const Span& spa
 
 std::optional<std::string> read_url(FileAccess& files, std::string_view url, const fs::path& base, const Span& span,
                                     Diagnostics& diagnostics) {
+  if (url.empty()) {
+    diagnostics.report(DiagnosticId::file_unreadable, span, "an empty url names no file");
+    return std::nullopt;
+  }
   const auto path = resolve_url(url, base);
   if (!path) {
     diagnostics.report(DiagnosticId::file_unreadable, span, fmt::format("`{}` is no local file; plugc reads no network", url));

@@ -12,6 +12,7 @@ inline constexpr std::size_t kMaxNameBytes = 1024;                    ///< One n
 inline constexpr std::size_t kMaxMessageBytes = 2000;                 ///< One message.
 inline constexpr std::size_t kMaxSyntaxMistakes = 100;                ///< Reported in one file; then reading it stops.
 inline constexpr std::size_t kMaxDocumentItems = 8'000'000;           ///< Nodes, fields, strings, statements of one file.
+inline constexpr std::size_t kMaxDocumentNumbers = 64'000'000;        ///< Numbers of one file; a file may be full of them.
 inline constexpr std::size_t kMaxGltfValues = 4'000'000;              ///< Numbers, strings, lists, objects of glTF's JSON.
 inline constexpr std::size_t kMaxDiagnostics = 10'000;                ///< Different things said in one run.
 inline constexpr std::uint32_t kMaxNesting = 512;                     ///< Nodes inside nodes, as written.

@@ -1,6 +1,6 @@
 #pragma once
-// The grammar of the classic encoding: one function a rule. Statements, nodes and interfaces are in read_classic.cpp, values
-// in classic_values.cpp.
+// The grammar of the classic encoding: one function a rule. The header and what is told of mistakes are in read_classic.cpp;
+// classic_statements.cpp, classic_nodes.cpp and classic_values.cpp hold what their names say.
 
 #include <optional>
 
@@ -40,6 +40,7 @@ class ClassicReader {
   void read_body_item();
   void skip_to_name();
   void read_field();
+  void read_unnamed_node();
   void read_interface(AccessType access, bool default_allowed);
   Range<InterfaceSyntax> read_interfaces(const Name& proto, bool defaults_allowed);
   bool access_word_is_next(AccessType& access) const;
@@ -61,6 +62,8 @@ class ClassicReader {
   bool word_is_bad_value() const;
   bool list_goes_on() const;
   void read_more(ValueSyntax& value);
+  bool node_is_next() const;
+  void read_more_nodes(ValueSyntax& value, const std::optional<NodeSyntax>& first);
   void skip_no_number();
 
   // Mistakes
@@ -81,7 +84,7 @@ class ClassicReader {
   std::uint32_t open_lists_ = 0;
   bool end_was_reported_ = false;
   bool scene_began_ = false;
-  bool stray_bracket_was_reported_ = false;  // it may have been meant to close a node
+  bool stray_bracket_was_reported_ = false;  // one too many, which may have been meant to close a node, or one too few
   std::uint32_t unexpected_at_ = UINT32_MAX;
 };
 

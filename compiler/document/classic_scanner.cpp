@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "document/document_builder.h"
+#include "document/skip_item.h"
 
 namespace plugc {
 namespace {
@@ -103,12 +104,7 @@ bool ClassicScanner::take_string(MappedText& text) {
 }
 
 void ClassicScanner::skip_item() {
-  std::size_t depth = 0;
-  do {
-    if (next() == '[' || next() == '{') ++depth;
-    if ((next() == ']' || next() == '}') && depth > 0) --depth;
-    finish_token(token_end());
-  } while (depth > 0 && !at_end());
+  skip_item_of(*this);
 }
 
 }  // namespace plugc

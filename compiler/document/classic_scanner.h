@@ -72,6 +72,8 @@ class ClassicScanner {
   /// Reads a string without its quotes and escapes. False: it is not closed, and holds the rest of the text.
   bool take_string(MappedText& text);
 
+  /// Passes whatever token is next.
+  void take_token() { finish_token(token_end()); }
   /// Skips one token, or a bracket with all that it holds.
   void skip_item();
   void skip_to_end() { finish_token(end_); }

@@ -80,13 +80,35 @@ void ClassicReader::read_word_value(ValueSyntax& value, const Name& field) {
     read_is(value);
   } else if (word == "DEF" || word == "USE" || looks_like_node_type(word) || scan_.brace_follows_word()) {
     value.kind = ValueKind::nodes;
-    if (const auto node = read_node()) value.hold(build_.add_node(*node));
+    const auto node = read_node();
+    if (node_is_next()) return read_more_nodes(value, node);
+    if (node) value.hold(build_.add_node(*node));
   } else if (is_word_for_no_number(word)) {
     skip_no_number();
   } else {
     expected(fmt::format("a value for `{}`", shown(field.text)));
     if (word_is_bad_value()) scan_.take_word();
   }
+}
+
+/// Whether a node follows, which cannot be the next field.
+bool ClassicReader::node_is_next() const {
+  const std::string_view word = scan_.peek_word();
+  if (!looks_like_node_type(word)) return false;
+  ClassicScanner ahead = scan_;
+  ahead.take_word();
+  return word == "DEF" || word == "USE" ? ahead.next_is(kWordStart) : ahead.next() == '{';
+}
+
+/// `children Shape { } Shape { }`
+void ClassicReader::read_more_nodes(ValueSyntax& value, const std::optional<NodeSyntax>& first) {
+  build_.mistake(scan_.next_span(), "several nodes need `[` and `]` around them");
+  const std::size_t mark = build_.nodes.open();
+  if (first) build_.add_list_node(*first);
+  while (!stopped() && node_is_next()) {
+    if (auto node = read_node()) build_.add_list_node(*node);
+  }
+  value.hold(build_.nodes.close(mark, build_.document.nodes));
 }
 
 /// Of `whichChoice one children [ ]` the word is a wrong value; of `whichChoice children [ ]` it is the next field.
@@ -113,6 +135,7 @@ void ClassicReader::read_boolean() {
 /// As many numbers as are next, or one that is odd.
 void ClassicReader::read_numbers() {
   const std::uint32_t begin = scan_.offset();
+  if (!build_.may_add_number({build_.document.source, begin, begin + 1})) return scan_.skip_to_end();
   scan_.take_numbers(build_.document.numbers);
   if (scan_.offset() != begin) return;
   double number = 0;

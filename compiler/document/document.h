@@ -75,6 +75,11 @@ struct FieldSyntax {
   ValueSyntax value;
 };
 
+/// Whether it holds nodes that the reader found where no node may stand, which was reported.
+inline bool is_unplaced(const FieldSyntax& field) {
+  return field.name.empty() && field.value.damaged;
+}
+
 enum class AccessType : std::uint8_t { initialize_only, input_only, output_only, input_output };
 
 /// `inputOutput SFFloat alpha 0.5` in a Script, Effect, shader node or PROTO interface.
@@ -103,13 +108,15 @@ struct ImportSyntax {
 struct ComponentSyntax {
   Name name;
   std::uint32_t level = 1;
+  Span level_span;  ///< Not valid when no level is written.
   Span span;
 };
 
 /// `UNIT length inch 0.0254`
 struct UnitSyntax {
   Name category, name;
-  double factor = 1;
+  double factor = 1;  ///< Above 0; 1 where what is written is none (reported).
+  Span factor_span;
   Span span;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <functional>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -41,12 +42,11 @@ void DocumentBuilder::expect(std::size_t nodes_written, std::size_t fields_writt
   document.strings.reserve(std::min(strings_written, kMaxDocumentItems));
 }
 
-void DocumentBuilder::stop_at_limit(const Span& place) {
+void DocumentBuilder::stop_at_limit(const Span& place, std::size_t limit, std::string_view of) {
   if (stopped_) return;
   stopped_ = true;
-  diagnostics.report(
-      DiagnosticId::scene_limit, place,
-      fmt::format("this file holds more than {} nodes, fields and strings; the rest of it is not read", kMaxDocumentItems));
+  diagnostics.report(DiagnosticId::scene_limit, place,
+                     fmt::format("this file holds more than {} {}; the rest of it is not read", limit, of));
 }
 
 OpenBody DocumentBuilder::open_body() const {
@@ -133,15 +133,45 @@ void DocumentBuilder::add_statement(StatementKind kind, ImportSyntax import) {
   document.imports.push_back(std::move(import));
 }
 
+/// Where `part` stands, if it is a view of the source text; else `whole`.
+Span DocumentBuilder::place_of(std::string_view part, const Span& whole) const {
+  const std::string_view text = sources.text(document.source);
+  const bool inside = std::less_equal<>()(text.data(), part.data()) &&
+                      std::less_equal<>()(part.data() + part.size(), text.data() + text.size());
+  if (part.empty() || !inside) return whole;
+  const auto begin = static_cast<std::uint32_t>(part.data() - text.data());
+  return {document.source, begin, begin + static_cast<std::uint32_t>(part.size())};
+}
+
 void DocumentBuilder::add_component(const Name& name, std::string_view level, const Span& span) {
-  ComponentSyntax component{name, 1, span};
-  std::from_chars(level.data(), level.data() + level.size(), component.level);
+  ComponentSyntax component{name, 1, place_of(level, span), span};
+  const char* const end = level.data() + level.size();
+  std::uint32_t written = 0;
+  const auto [behind, error] = std::from_chars(level.data(), end, written);
+  if (level.empty()) {
+    mistake(name.span, fmt::format("`{}` needs a level, such as 1", shown(name.text)));
+  } else if (error != std::errc() || behind != end) {
+    mistake(component.level_span, fmt::format("`{}` is no level of a component, such as 1", shown(level)));
+  } else {
+    component.level = written;
+  }
+  limit(component.name);
   if (admit(span)) document.head.components.push_back(component);
 }
 
 void DocumentBuilder::add_unit(const Name& category, const Name& name, std::string_view factor, const Span& span) {
-  UnitSyntax unit{category, name, 1, span};
-  scan_number(factor.data(), factor.data() + factor.size(), unit.factor);
+  UnitSyntax unit{category, name, 1, place_of(factor, span), span};
+  const char* const end = factor.data() + factor.size();
+  double written = 0;
+  const auto [behind, error] = scan_number(factor.data(), end, written);
+  if (error == std::errc() && behind == end && written > 0) {
+    unit.factor = written;
+  } else {
+    mistake(unit.factor_span, factor.empty()
+                                  ? fmt::format("the unit `{}` needs a conversion factor", shown(name.text))
+                                  : fmt::format("`{}` is no conversion factor: that is a number above 0", shown(factor)));
+  }
+  for (Name* one : {&unit.category, &unit.name}) limit(*one);
   if (admit(span)) document.head.units.push_back(unit);
 }
 

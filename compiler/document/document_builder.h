@@ -97,11 +97,18 @@ class DocumentBuilder {
   void add_statement(StatementKind kind, ProtoSyntax proto);
   void add_statement(StatementKind kind, ImportSyntax import);
 
-  // What the file says of itself; the level and the factor as they are written.
+  // What the file says of itself. A level that is no whole number and a factor that is not above 0 are reported; both count
+  // as 1 then. They are given as written: views of the source text where their own place is to be marked.
   void add_component(const Name& name, std::string_view level, const Span& span);
   void add_unit(const Name& category, const Name& name, std::string_view factor, const Span& span);
   void add_meta(const MetaSyntax& meta);
 
+  /// Whether a number may be added to the document's; if not, reading stops.
+  bool may_add_number(const Span& place) {
+    if (document.numbers.size() >= kMaxDocumentNumbers) [[unlikely]]
+      stop_at_limit(place, kMaxDocumentNumbers, "numbers");
+    return !stopped_;
+  }
   Range<MappedText> add_string(MappedText text, const Span& place);
   /// The numbers since `first` of the pool.
   Range<double> numbers_since(std::size_t first) const;
@@ -122,11 +129,12 @@ class DocumentBuilder {
 
  private:
   bool admit(const Span& place) {
-    if (items_ >= kMaxDocumentItems) stop_at_limit(place);
+    if (items_ >= kMaxDocumentItems) stop_at_limit(place, kMaxDocumentItems, "nodes, fields and strings");
     if (!stopped_) ++items_;
     return !stopped_;
   }
-  void stop_at_limit(const Span& place);
+  void stop_at_limit(const Span& place, std::size_t limit, std::string_view of);
+  Span place_of(std::string_view part, const Span& whole) const;
   /// A name that is too long is reported and cut, so that no message quotes megabytes of it, over and over.
   void limit(Name& name) {
     if (name.text.size() > kMaxNameBytes) cut(name);

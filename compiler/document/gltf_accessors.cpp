@@ -3,6 +3,7 @@
 // its bytes: accessors may overlap, and may stand for zeros that are stored nowhere.
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -65,7 +66,19 @@ std::optional<std::vector<double>> GltfFile::numbers(int index) {
     return std::nullopt;
   }
   if (accessor.sparse.isSparse && !read_sparse(accessor, components, at, numbers)) return std::nullopt;
+  replace_odd_floats(numbers, at);
   return numbers;
+}
+
+/// glTF 2.0, 3.6.2.2: no number is infinite or NaN.
+void GltfFile::replace_odd_floats(std::vector<double>& numbers, GltfAt at) {
+  std::size_t odd = 0;
+  for (double& number : numbers) {
+    if (std::isfinite(number)) continue;
+    number = 0;
+    ++odd;
+  }
+  if (odd > 0) text.mistake(at, fmt::format("{} of its numbers are infinite or NaN; each is read as 0", odd));
 }
 
 bool GltfFile::spend_numbers(const tinygltf::Accessor& accessor, std::size_t components, GltfAt at) {

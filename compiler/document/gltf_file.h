@@ -60,6 +60,7 @@ class GltfFile {
   void load_model();
   std::optional<std::string_view> buffer_bytes(int buffer);
   std::optional<std::string_view> load_buffer(GltfAt at);
+  void replace_odd_floats(std::vector<double>& numbers, GltfAt at);
   bool spend_numbers(const tinygltf::Accessor& accessor, std::size_t components, GltfAt at);
   bool read_dense(const tinygltf::Accessor& accessor, std::size_t components, GltfAt at, std::vector<double>& numbers);
   bool read_sparse(const tinygltf::Accessor& accessor, std::size_t components, GltfAt at, std::vector<double>& numbers);

@@ -1,8 +1,10 @@
 #pragma once
-// The grammar of the JSON encoding: one function a kind of object. The file, statements and nodes are in read_json.cpp,
-// values in json_values.cpp.
+// The grammar of the JSON encoding: one function a kind of object. The file and its keys are in read_json.cpp;
+// json_statements.cpp, json_nodes.cpp and json_values.cpp hold what their names say.
 
 #include <initializer_list>
+
+#include <fmt/format.h>
 
 #include "document/json_scanner.h"
 
@@ -16,6 +18,20 @@ struct NamedKey {
   std::string_view key;
   Name* name;
 };
+
+inline char first_of(const Name& key) {
+  return key.empty() ? '\0' : key.text.front();
+}
+
+/// `size` of `@size`.
+inline Name behind_mark(const Name& key) {
+  return {key.text.substr(1), {key.span.source, std::min(key.span.begin + 1, key.span.end), key.span.end}};
+}
+
+/// What an encoding as text needs and a scene does not: `#comment`, `$schema`, `JSON schema`, `encoding`.
+inline bool is_remark(const Name& key) {
+  return first_of(key) == '#' || first_of(key) == '$' || key.text == "JSON schema" || key.text == "encoding";
+}
 
 class JsonReader {
  public:
@@ -73,6 +89,7 @@ class JsonReader {
   ValueSyntax read_node_value();
   bool accept_in_list(ValueSyntax& value, ValueKind kind);
   bool boolean_is_next() const { return scan_.peek_word() == "true" || scan_.peek_word() == "false"; }
+  void take_number();
   void take_boolean();
   void reject_value();
 
@@ -81,5 +98,19 @@ class JsonReader {
   OpenLists<Connection> connections_;
   std::uint32_t depth_ = 0;
 };
+
+/// Reads the owner's value: an object, or each object of a list.
+template <typename Read>
+void JsonReader::for_each_object(const Name& owner, Read read) {
+  if (scan_.next() != '[') return read();
+  for (JsonBracket list = scan_.open(); scan_.next_item(list);) {
+    if (scan_.next() == '{') {
+      read();
+    } else {
+      scan_.mistake(scan_.next_span(), fmt::format("`{}` holds objects, found {}", shown(owner.text), scan_.describe_next()));
+      scan_.skip_value();
+    }
+  }
+}
 
 }  // namespace plugc

@@ -18,6 +18,10 @@ struct JsonBracket {
   bool first = true;  ///< No item was asked for yet.
 };
 
+inline bool is_json_space(char c) {
+  return c == ' ' || c == '\n' || c == '\r' || c == '\t';
+}
+
 class JsonScanner {
  public:
   explicit JsonScanner(DocumentBuilder& builder);
@@ -49,7 +53,9 @@ class JsonScanner {
   Name take_name();
   /// `true`, `null` or another word; "" when none is next.
   std::string_view peek_word() const;
-  void take_word() { finish_token(token_end()); }
+  void take_word() { take_token(); }
+  /// Passes whatever token is next.
+  void take_token() { finish_token(token_end()); }
   /// Skips what is next, a bracket with all that it holds.
   void skip_value();
 

@@ -24,7 +24,7 @@ ValueSyntax JsonReader::read_value() {
     if (value.count != 0) value.kind = ValueKind::lexical;  // none when not admitted
   } else if (scan_.next_is_number()) {
     value.kind = ValueKind::numbers;
-    build_.document.numbers.push_back(scan_.take_number());
+    take_number();
   } else if (boolean_is_next()) {
     value.kind = ValueKind::booleans;
     take_boolean();
@@ -49,7 +49,7 @@ ValueSyntax JsonReader::read_list() {
   const std::size_t first_string = build_.document.strings.size();
   for (JsonBracket list = scan_.open(); scan_.next_item(list);) {
     if (scan_.next_is_number()) {
-      if (accept_in_list(value, ValueKind::numbers)) build_.document.numbers.push_back(scan_.take_number());
+      if (accept_in_list(value, ValueKind::numbers)) take_number();
     } else if (scan_.next() == '"') {
       const Span place = scan_.next_span();
       MappedText text;
@@ -115,6 +115,12 @@ bool JsonReader::accept_in_list(ValueSyntax& value, ValueKind kind) {
                 fmt::format("this list holds {}; {} cannot stand in it", in_words(value.kind), scan_.describe_next()));
   scan_.skip_value();
   return false;
+}
+
+void JsonReader::take_number() {
+  const std::uint32_t begin = scan_.offset();
+  const double number = scan_.take_number();
+  if (build_.may_add_number({build_.document.source, begin, begin + 1})) build_.document.numbers.push_back(number);
 }
 
 void JsonReader::take_boolean() {

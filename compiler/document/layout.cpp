@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace plugc {
 namespace {
 
@@ -71,6 +73,19 @@ std::string numbers_text(const Document& document, const ValueSyntax& value, con
     text += element;
   }
   return text;
+}
+
+std::string list_text(const std::string& items, std::size_t level) {
+  if (fits_line(items, level)) return "[ " + items + " ]";
+  return "[\n" + indentation(level + 1) + items + '\n' + indentation(level) + ']';
+}
+
+std::string strings_list_text(const std::vector<std::string>& strings, std::string_view between, std::size_t level) {
+  if (strings.empty()) return "[ ]";
+  const std::string line = fmt::format("{}", fmt::join(strings, between));
+  if (fits_line(line, level)) return list_text(line, level);
+  const std::string next_line = std::string(trimmed_right(between)) + '\n' + indentation(level + 1);
+  return list_text(fmt::format("{}", fmt::join(strings, next_line)), level);
 }
 
 }  // namespace plugc

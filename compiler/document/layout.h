@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "document/document.h"
 
@@ -38,5 +39,11 @@ void join_lines(std::string& text, std::size_t begin);
 inline bool fits_line(std::string_view text, std::size_t level) {
   return text.find('\n') == std::string_view::npos && 2 * level + text.size() <= kLineWidth;
 }
+
+/// `[ a, b ]` of what stands between the brackets, in lines of its own where one is too short for it.
+std::string list_text(const std::string& items, std::size_t level);
+
+/// A list of strings that are quoted already, each in a line of its own where one is too short for all.
+std::string strings_list_text(const std::vector<std::string>& strings, std::string_view between, std::size_t level);
 
 }  // namespace plugc

@@ -75,7 +75,7 @@ bool read_quoted(const MappedText& text, std::size_t& at, MappedText& string) {
 
 }  // namespace
 
-LexicalNumbers read_lexical_numbers(const MappedText& text, LexicalKind kind, Diagnostics& diagnostics) {
+LexicalNumbers read_lexical_numbers(const MappedText& text, LexicalKind kind, Diagnostics& diagnostics, std::size_t most) {
   constexpr std::size_t kUsualNumbers = 4;  // a vector, a colour, a rotation
   LexicalNumbers read;
   read.numbers.reserve(kUsualNumbers);
@@ -86,11 +86,12 @@ LexicalNumbers read_lexical_numbers(const MappedText& text, LexicalKind kind, Di
   while (at < bytes.size()) {
     const bool run = kind == LexicalKind::numbers;
     const auto next =
-        !run ? at : static_cast<std::size_t>(scan_numbers(bytes.data() + at, end, read.numbers).next - bytes.data());
+        !run ? at : static_cast<std::size_t>(scan_numbers(bytes.data() + at, end, read.numbers, most).next - bytes.data());
     if (next != at) {
       at = next;
       continue;
     }
+    if ((read.cut = read.numbers.size() >= most)) break;
     const std::size_t behind = item_end(bytes, at);
     const std::string_view item = bytes.substr(at, behind - at);
     std::string message;

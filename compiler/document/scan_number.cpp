@@ -56,9 +56,9 @@ std::from_chars_result scan_number(const char* at, const char* end, double& valu
   return std::from_chars(*at == '+' ? first : at, end, value);
 }
 
-NumberRun scan_numbers(const char* at, const char* end, std::vector<double>& numbers) {
+NumberRun scan_numbers(const char* at, const char* end, std::vector<double>& numbers, std::size_t most) {
   NumberRun run{at, at};
-  for (;;) {
+  while (numbers.size() < most) {
     double value = 0;
     const char* behind = scan_short_decimal(at, end, value);
     if (behind == nullptr) {
@@ -71,6 +71,7 @@ NumberRun scan_numbers(const char* at, const char* end, std::vector<double>& num
     for (at = behind; at != end && is_a(*at, kSpaceCharacter);) ++at;
     run.next = at;
   }
+  return run;
 }
 
 }  // namespace plugc

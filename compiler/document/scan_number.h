@@ -4,6 +4,8 @@
 #include <charconv>
 #include <vector>
 
+#include "base/limits.h"
+
 namespace plugc {
 
 /// A number at `at`: `1`, `+.5`, `-1e-3`, `0xFF`. Like std::from_chars, but with a plus and hexadecimal, without `inf` and
@@ -17,7 +19,8 @@ struct NumberRun {
 };
 
 /// Appends the numbers at `at` as long as they are plain ones between white space and commas. It stops in front of anything
-/// odd (a bracket, a comment, a number that is out of range or runs into other characters), which the caller looks at.
-NumberRun scan_numbers(const char* at, const char* end, std::vector<double>& numbers);
+/// odd (a bracket, a comment, a number that is out of range or runs into other characters), which the caller looks at, and
+/// when there are `most` numbers in the list.
+NumberRun scan_numbers(const char* at, const char* end, std::vector<double>& numbers, std::size_t most = kMaxDocumentNumbers);
 
 }  // namespace plugc

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include "document/characters.h"
+#include "document/code_url.h"
 #include "document/layout.h"
 #include "document/read_document.h"
 #include "document/write_document.h"
+#include "document/written_nodes.h"
 
 namespace plugc {
 namespace {
@@ -37,13 +39,6 @@ std::string quoted(std::string_view string) {
     text += c == '\r' ? '\n' : c;
   }
   return text + '"';
-}
-
-bool is_script(std::string_view code) {
-  code.remove_prefix(std::min(code.find_first_not_of(" \t\r\n"), code.size()));
-  const std::string_view scheme = code.substr(0, std::min(code.find(':'), code.size()));
-  return scheme.size() < code.size() && scheme.ends_with("script") &&
-         scheme.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == std::string_view::npos;
 }
 
 /// What stands where a field has no value and the grammar wants one.
@@ -82,7 +77,6 @@ class ClassicWriter {
   void write_url(const NodeSyntax& node, const FieldSyntax* field);
   void write_value(const ValueSyntax& value);
   void write_nodes(const ValueSyntax& value);
-  void write_list(const std::string& items);
   void write_strings(const std::vector<std::string>& strings, bool bracketed);
   std::vector<std::string> strings_of(Range<MappedText> strings) const;
 
@@ -195,16 +189,11 @@ void ClassicWriter::write_node(const NodeSyntax& node) {
   text_ += " {\n";
   const std::size_t body = text_.size() - 1;
   ++level_;
-  const auto statements = document_.of(node.extras->statements);
-  const auto write_if = [&](bool routes) {
-    for (const StatementSyntax& one : statements) {
-      if ((one.kind == StatementKind::route) == routes) write_statement(one);
-    }
-  };
-  write_if(false);
+  const auto write_one = [&](const StatementSyntax& one) { write_statement(one); };
+  each_statement(document_, node, false, write_one);
   for (const InterfaceSyntax& field : document_.of(node.extras->interface)) write_interface(field, true);
   write_fields(node);
-  write_if(true);
+  each_statement(document_, node, true, write_one);
   --level_;
   text_ += indentation(level_) + '}';
   join_lines(text_, body);
@@ -240,7 +229,7 @@ void ClassicWriter::write_url(const NodeSyntax& node, const FieldSyntax* field) 
   std::vector<std::string> urls;
   if (field != nullptr) urls = strings_of(field->value.strings());
   for (const MappedText& code : document_.of(node.extras->cdata)) {
-    urls.push_back(quoted((is_script(code.text()) ? "" : "data:text/plain,") + std::string(code.text())));
+    urls.push_back(quoted(std::string(is_script(code.text()) ? "" : kPlainCode).append(code.text())));
   }
   text_ += indentation(level_) + "url ";
   write_strings(urls, urls.size() != 1);
@@ -260,7 +249,7 @@ void ClassicWriter::write_value(const ValueSyntax& value) {
     case ValueKind::numbers:
     case ValueKind::booleans: {
       const std::string numbers = numbers_text(document_, value, kWords, level_ + 1);
-      value.bracketed ? write_list(numbers) : void(text_ += numbers);
+      text_ += value.bracketed ? list_text(numbers, level_) : numbers;
     }
   }
 }
@@ -284,14 +273,6 @@ void ClassicWriter::write_nodes(const ValueSyntax& value) {
   }
 }
 
-void ClassicWriter::write_list(const std::string& items) {
-  if (fits_line(items, level_)) {
-    text_ += "[ " + items + " ]";
-  } else {
-    text_ += "[\n" + indentation(level_ + 1) + items + '\n' + indentation(level_) + ']';
-  }
-}
-
 std::vector<std::string> ClassicWriter::strings_of(Range<MappedText> strings) const {
   std::vector<std::string> texts;
   for (const MappedText& string : document_.of(strings)) texts.push_back(quoted(string.text()));
@@ -299,30 +280,10 @@ std::vector<std::string> ClassicWriter::strings_of(Range<MappedText> strings) co
 }
 
 void ClassicWriter::write_strings(const std::vector<std::string>& strings, bool bracketed) {
-  if (!bracketed) {
-    text_ += fmt::format("{}", fmt::join(strings, " "));
-    return;
-  }
-  const std::string line = fmt::format("{}", fmt::join(strings, " "));
-  if (strings.empty()) {
-    text_ += "[ ]";
-  } else if (fits_line(line, level_)) {
-    text_ += "[ " + line + " ]";
-  } else {
-    const std::string between = '\n' + indentation(level_ + 1);
-    text_ += '[' + between + fmt::format("{}", fmt::join(strings, between)) + '\n' + indentation(level_) + ']';
-  }
+  text_ += bracketed ? strings_list_text(strings, " ", level_) : fmt::format("{}", fmt::join(strings, " "));
 }
 
 }  // namespace
-
-std::string write_document(const Document& document, Encoding as) {
-  switch (as) {
-    case Encoding::xml: return write_xml(document);
-    case Encoding::json: return write_json(document);
-    default: return write_classic(document);
-  }
-}
 
 std::string write_classic(const Document& document) {
   return ClassicWriter(document).write();

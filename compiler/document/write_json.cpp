@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "document/json_output.h"
 #include "document/layout.h"
 #include "document/read_document.h"
 #include "document/write_document.h"
+#include "document/written_nodes.h"
 
 namespace plugc {
 namespace {
@@ -25,22 +27,8 @@ bool contains(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string quoted(std::string_view string) {
-  std::string text(1, '"');
-  for (const char c : string) {
-    switch (c) {
-      case '"': text += "\\\""; break;
-      case '\\': text += "\\\\"; break;
-      case '\n': text += "\\n"; break;
-      case '\r': text += "\\r"; break;
-      case '\t': text += "\\t"; break;
-      case '\0': text += "\\ufffd"; break;
-      default:
-        text +=
-            static_cast<unsigned char>(c) < 0x20 ? fmt::format("\\u{:04x}", static_cast<unsigned char>(c)) : std::string(1, c);
-    }
-  }
-  return text + '"';
+bool is_key(std::string_view field) {
+  return !contains(kTakenFields, field) && field.find(':') == std::string_view::npos;
 }
 
 class JsonWriter {
@@ -49,16 +37,6 @@ class JsonWriter {
   std::string write();
 
  private:
-  // Brackets. An item begins a line of its own.
-  void open(char bracket);
-  void close(char bracket);
-  void item();
-  void key(std::string_view name);
-  void member(std::string_view name, std::string_view text) { key(name), text_ += text; }
-  void optional_member(std::string_view name, const Name& value) {
-    if (!value.empty()) member(name, quoted(value.text));
-  }
-
   // Statements
   void write_head();
   void write_statements(Range<StatementSyntax> statements);
@@ -83,30 +61,25 @@ class JsonWriter {
   // Values
   void write_value(const ValueSyntax& value);
   void write_nodes(const ValueSyntax& value);
-  void write_list(const std::string& items);
-  void write_strings(const std::vector<std::string>& strings);
 
   const Document& document_;
-  std::string text_;
-  std::size_t level_ = 0;
-  std::vector<std::size_t> open_at_;  // behind each open bracket
-  bool is_first_ = true;              // of the innermost bracket nothing is written yet
+  JsonOutput out_;
 };
 
 std::string JsonWriter::write() {
-  open('{');
-  key("X3D");
-  open('{');
-  member("encoding", "\"UTF-8\"");
-  optional_member("@profile", document_.head.profile);
-  member("@version", fmt::format("\"{}.{}\"", document_.version_major, document_.version_minor));
+  out_.open('{');
+  out_.key("X3D");
+  out_.open('{');
+  out_.member("encoding", "\"UTF-8\"");
+  out_.optional_member("@profile", document_.head.profile);
+  out_.member("@version", fmt::format("\"{}.{}\"", document_.version_major, document_.version_minor));
   write_head();
-  key("Scene");
+  out_.key("Scene");
   write_statements(document_.statements);
-  close('}');
-  close('}');
-  text_ += '\n';
-  return std::move(text_);
+  out_.close('}');
+  out_.close('}');
+  out_.write("\n");
+  return out_.take_text();
 }
 
 void JsonWriter::write_head() {
@@ -114,74 +87,36 @@ void JsonWriter::write_head() {
   if (head.components.empty() && head.units.empty() && head.metas.empty()) return;
   const auto write_list_of = [&](std::string_view name, const auto& entries, const auto& text_of) {
     if (entries.empty()) return;
-    key(name);
-    open('[');
-    for (const auto& one : entries) item(), text_ += text_of(one);
-    close(']');
+    out_.key(name);
+    out_.open('[');
+    for (const auto& one : entries) out_.item(), out_.write(text_of(one));
+    out_.close(']');
   };
-  key("head");
-  open('{');
+  out_.key("head");
+  out_.open('{');
   write_list_of("component", head.components, [](const ComponentSyntax& one) {
-    return fmt::format(R"({{ "@name": {}, "@level": {} }})", quoted(one.name.text), one.level);
+    return fmt::format(R"({{ "@name": {}, "@level": {} }})", json_quoted(one.name.text), one.level);
   });
   write_list_of("unit", head.units, [](const UnitSyntax& one) {
-    return fmt::format(R"({{ "@category": {}, "@name": {}, "@conversionFactor": {} }})", quoted(one.category.text),
-                       quoted(one.name.text), number_text(one.factor));
+    return fmt::format(R"({{ "@category": {}, "@name": {}, "@conversionFactor": {} }})", json_quoted(one.category.text),
+                       json_quoted(one.name.text), number_text(one.factor));
   });
   write_list_of("meta", head.metas, [](const MetaSyntax& one) {
-    return fmt::format(R"({{ "@name": {}, "@content": {} }})", quoted(one.name.text), quoted(one.content.text));
+    return fmt::format(R"({{ "@name": {}, "@content": {} }})", json_quoted(one.name.text), json_quoted(one.content.text));
   });
-  close('}');
-}
-
-// Brackets
-
-void JsonWriter::open(char bracket) {
-  text_ += bracket;
-  ++level_;
-  is_first_ = true;
-  open_at_.push_back(text_.size());
-}
-
-void JsonWriter::close(char bracket) {
-  --level_;
-  if (!std::exchange(is_first_, false)) text_ += '\n' + indentation(level_);
-  text_ += bracket;
-  join_lines(text_, open_at_.back());
-  open_at_.pop_back();
-}
-
-void JsonWriter::item() {
-  if (!std::exchange(is_first_, false)) text_ += ',';
-  text_ += '\n' + indentation(level_);
-}
-
-void JsonWriter::key(std::string_view name) {
-  item();
-  text_ += quoted(name) + ": ";
-}
-
-/// `{ "Box": {` on one line.
-void JsonWriter::open_object(std::string_view type) {
-  text_ += "{ " + quoted(type) + ": ";
-  open('{');
-}
-
-void JsonWriter::close_object() {
-  close('}');
-  text_ += " }";
+  out_.close('}');
 }
 
 // Statements
 
 /// The value of a Scene or a ProtoBody.
 void JsonWriter::write_statements(Range<StatementSyntax> statements) {
-  open('{');
-  key("-children");
-  open('[');
-  for (const StatementSyntax& one : document_.of(statements)) item(), write_statement(one);
-  close(']');
-  close('}');
+  out_.open('{');
+  out_.key("-children");
+  out_.open('[');
+  for (const StatementSyntax& one : document_.of(statements)) out_.item(), write_statement(one);
+  out_.close(']');
+  out_.close('}');
 }
 
 void JsonWriter::write_statement(const StatementSyntax& statement) {
@@ -197,69 +132,69 @@ void JsonWriter::write_statement(const StatementSyntax& statement) {
 }
 
 void JsonWriter::write_route(const RouteSyntax& route) {
-  open_object("ROUTE");
-  member("@fromNode", quoted(route.from_node.text));
-  member("@fromField", quoted(route.from_field.text));
-  member("@toNode", quoted(route.to_node.text));
-  member("@toField", quoted(route.to_field.text));
-  close_object();
+  out_.open_object("ROUTE");
+  out_.member("@fromNode", json_quoted(route.from_node.text));
+  out_.member("@fromField", json_quoted(route.from_field.text));
+  out_.member("@toNode", json_quoted(route.to_node.text));
+  out_.member("@toField", json_quoted(route.to_field.text));
+  out_.close_object();
 }
 
 void JsonWriter::write_import(const ImportSyntax& import, std::string_view type) {
-  open_object(type);
-  optional_member("@inlineDEF", import.inline_def);
-  member(type == "IMPORT" ? "@importedDEF" : "@localDEF", quoted(import.name.text));
-  if (import.alias.text != import.name.text) optional_member("@AS", import.alias);
-  close_object();
+  out_.open_object(type);
+  out_.optional_member("@inlineDEF", import.inline_def);
+  out_.member(type == "IMPORT" ? "@importedDEF" : "@localDEF", json_quoted(import.name.text));
+  if (import.alias.text != import.name.text) out_.optional_member("@AS", import.alias);
+  out_.close_object();
 }
 
 void JsonWriter::write_prototype(const ProtoSyntax& prototype) {
-  open_object("ProtoDeclare");
-  member("@name", quoted(prototype.name.text));
+  out_.open_object("ProtoDeclare");
+  out_.member("@name", json_quoted(prototype.name.text));
   if (!prototype.interface.empty()) {
-    key("ProtoInterface");
-    open('{');
+    out_.key("ProtoInterface");
+    out_.open('{');
     write_interfaces(prototype.interface);
-    close('}');
+    out_.close('}');
   }
-  key("ProtoBody");
+  out_.key("ProtoBody");
   write_statements(prototype.body);
-  close_object();
+  out_.close_object();
 }
 
 void JsonWriter::write_external(const ProtoSyntax& prototype) {
-  open_object("ExternProtoDeclare");
-  member("@name", quoted(prototype.name.text));
+  out_.open_object("ExternProtoDeclare");
+  out_.member("@name", json_quoted(prototype.name.text));
   std::vector<std::string> urls;
-  for (const MappedText& url : document_.of(prototype.urls)) urls.push_back(quoted(url.text()));
-  key("@url");
-  write_strings(urls);
+  for (const MappedText& url : document_.of(prototype.urls)) urls.push_back(json_quoted(url.text()));
+  out_.key("@url");
+  out_.write(strings_list_text(urls, ", ", out_.level()));
   write_interfaces(prototype.interface);
-  close_object();
+  out_.close_object();
 }
 
 void JsonWriter::write_interfaces(Range<InterfaceSyntax> interface) {
   if (interface.empty()) return;
-  key("field");
-  open('[');
-  for (const InterfaceSyntax& field : document_.of(interface)) item(), write_interface(field);
-  close(']');
+  out_.key("field");
+  out_.open('[');
+  for (const InterfaceSyntax& field : document_.of(interface)) out_.item(), write_interface(field);
+  out_.close(']');
 }
 
 void JsonWriter::write_interface(const InterfaceSyntax& field) {
-  open('{');
-  member("@accessType", quoted(to_text(field.access)));
-  member("@type", quoted(field.type.text));
-  member("@name", quoted(field.name.text));
+  out_.open('{');
+  out_.member("@accessType", json_quoted(to_text(field.access)));
+  out_.member("@type", json_quoted(field.type.text));
+  out_.member("@name", json_quoted(field.name.text));
   const ValueKind kind = field.value.kind;
   if (kind == ValueKind::nodes && !field.value.nodes().empty()) {
-    key("-children");
+    out_.key("-children");
     write_nodes(field.value);
   } else if (kind != ValueKind::none && kind != ValueKind::is && kind != ValueKind::nodes) {
-    key("@value");
+    out_.key("@value");
     write_value(field.value);
   }
-  close('}');
+  out_.close('}');
 }
 
 // Nodes
@@ -269,20 +204,16 @@ void JsonWriter::write_node(const NodeSyntax& node) {
   const bool instance = node.is_instance || contains(kTakenTypes, type) || type.empty() ||
                         std::string_view("@-#$").find(type[0]) != std::string_view::npos || type == "JSON schema" ||
                         type == "encoding";
-  open_object(instance ? "ProtoInstance" : type);
-  if (instance) member("@name", quoted(type));
-  optional_member("@DEF", node.extras->def);
-  optional_member("@USE", node.extras->use);
+  out_.open_object(instance ? "ProtoInstance" : type);
+  if (instance) out_.member("@name", json_quoted(type));
+  out_.optional_member("@DEF", node.extras->def);
+  out_.optional_member("@USE", node.extras->use);
   if (!node.extras->interface.empty()) write_interfaces(node.extras->interface);
   write_connections(node);
   write_fields(node, instance);
   write_field_values(node, instance);
   for (const MappedText& code : document_.of(node.extras->cdata)) write_code(code.text());
-  close_object();
-}
-
-bool is_key(std::string_view field) {
-  return !contains(kTakenFields, field) && field.find(':') == std::string_view::npos;
+  out_.close_object();
 }
 
 void JsonWriter::write_fields(const NodeSyntax& node, bool instance) {
@@ -295,7 +226,7 @@ void JsonWriter::write_fields(const NodeSyntax& node, bool instance) {
       continue;
     }
     const bool nodes = field.value.kind == ValueKind::nodes;
-    key(std::string(nodes ? "-" : "@").append(field.name.text));
+    out_.key(std::string(nodes ? "-" : "@").append(field.name.text));
     write_value(field.value);
   }
   if (!children) write_children(node, nullptr);
@@ -303,19 +234,15 @@ void JsonWriter::write_fields(const NodeSyntax& node, bool instance) {
 
 /// The routes and prototypes of a node with its children, if it has any.
 void JsonWriter::write_children(const NodeSyntax& node, const FieldSyntax* field) {
-  key("-children");
-  open('[');
-  const auto write_if = [&](bool routes) {
-    for (const StatementSyntax& one : document_.of(node.extras->statements)) {
-      if ((one.kind == StatementKind::route) == routes) item(), write_statement(one);
-    }
-  };
-  write_if(false);
+  out_.key("-children");
+  out_.open('[');
+  const auto write_one = [&](const StatementSyntax& one) { out_.item(), write_statement(one); };
+  each_statement(document_, node, false, write_one);
   if (field != nullptr) {
-    for (const NodeSyntax& child : document_.of(field->value.nodes())) item(), write_node(child);
+    for (const NodeSyntax& child : document_.of(field->value.nodes())) out_.item(), write_node(child);
   }
-  write_if(true);
-  close(']');
+  each_statement(document_, node, true, write_one);
+  out_.close(']');
 }
 
 void JsonWriter::write_field_values(const NodeSyntax& node, bool instance) {
@@ -323,52 +250,48 @@ void JsonWriter::write_field_values(const NodeSyntax& node, bool instance) {
   for (const FieldSyntax& field : document_.of(node.fields)) {
     if (field.value.kind == ValueKind::is || (!instance && is_key(field.name.text))) continue;
     if (!std::exchange(any, true)) {
-      key("fieldValue");
-      open('[');
+      out_.key("fieldValue");
+      out_.open('[');
     }
-    item();
-    open('{');
-    member("@name", quoted(field.name.text));
+    out_.item();
+    out_.open('{');
+    out_.member("@name", json_quoted(field.name.text));
     const bool nodes = field.value.kind == ValueKind::nodes && (field.value.bracketed || !field.value.nodes().empty());
-    key(nodes ? "-children" : "@value");
+    out_.key(nodes ? "-children" : "@value");
     write_value(field.value);
-    close('}');
+    out_.close('}');
   }
-  if (any) close(']');
+  if (any) out_.close(']');
 }
 
 void JsonWriter::write_connections(const NodeSyntax& node) {
   bool any = false;
-  const auto connect = [&](const Name& field, const ValueSyntax& value) {
-    if (value.kind != ValueKind::is) return;
+  each_connection(document_, node, [&](std::string_view node_field, std::string_view proto_field) {
     if (!std::exchange(any, true)) {
-      key("IS");
-      open('{');
-      key("connect");
-      open('[');
+      out_.key("IS");
+      out_.open('{');
+      out_.key("connect");
+      out_.open('[');
     }
-    item();
-    text_ += fmt::format(R"({{ "@nodeField": {}, "@protoField": {} }})", quoted(field.text),
-                         quoted(document_.of(value.strings()).front().text()));
-  };
-  for (const InterfaceSyntax& field : document_.of(node.extras->interface)) connect(field.name, field.value);
-  for (const FieldSyntax& field : document_.of(node.fields)) connect(field.name, field.value);
+    out_.item();
+    out_.write(fmt::format(R"({{ "@nodeField": {}, "@protoField": {} }})", json_quoted(node_field), json_quoted(proto_field)));
+  });
   if (!any) return;
-  close(']');
-  close('}');
+  out_.close(']');
+  out_.close('}');
 }
 
 void JsonWriter::write_code(std::string_view code) {
-  key("#sourceCode");
-  open('[');
-  open_at_.back() = 0;  // code keeps its lines
+  out_.key("#sourceCode");
+  out_.open('[');
+  out_.keep_lines();  // code keeps its lines
   for (std::size_t begin = 0; begin <= code.size();) {
     const std::size_t end = std::min(code.find('\n', begin), code.size());
-    item();
-    text_ += quoted(code.substr(begin, end - begin));
+    out_.item();
+    out_.write(json_quoted(code.substr(begin, end - begin)));
     begin = end + 1;
   }
-  close(']');
+  out_.close(']');
 }
 
 // Values
@@ -377,19 +300,20 @@ void JsonWriter::write_value(const ValueSyntax& value) {
   switch (value.kind) {
     case ValueKind::none:
     case ValueKind::is:
-    case ValueKind::empty: text_ += "[ ]"; break;
+    case ValueKind::empty: out_.write("[ ]"); break;
     case ValueKind::nodes: write_nodes(value); break;
     case ValueKind::numbers:
     case ValueKind::booleans: {
-      const std::string numbers = numbers_text(document_, value, kWords, level_ + 1);
-      value.bracketed || value.count > 1 ? write_list(numbers) : void(text_ += numbers);
+      const std::string numbers = numbers_text(document_, value, kWords, out_.level() + 1);
+      out_.write(value.bracketed || value.count > 1 ? list_text(numbers, out_.level()) : numbers);
       break;
     }
     case ValueKind::lexical:
     case ValueKind::strings: {
       std::vector<std::string> strings;
-      for (const MappedText& string : document_.of(value.strings())) strings.push_back(quoted(string.text()));
-      value.bracketed || strings.size() != 1 ? write_strings(strings) : void(text_ += strings.front());
+      for (const MappedText& string : document_.of(value.strings())) strings.push_back(json_quoted(string.text()));
+      const bool list = value.bracketed || strings.size() != 1;
+      out_.write(list ? strings_list_text(strings, ", ", out_.level()) : strings.front());
     }
   }
 }
@@ -397,29 +321,14 @@ void JsonWriter::write_value(const ValueSyntax& value) {
 void JsonWriter::write_nodes(const ValueSyntax& value) {
   const auto nodes = document_.of(value.nodes());
   if (nodes.empty()) {
-    text_ += value.bracketed ? "[ ]" : "null";
+    out_.write(value.bracketed ? "[ ]" : "null");
   } else if (!value.bracketed) {
     write_node(nodes.front());
   } else {
-    open('[');
-    for (const NodeSyntax& node : nodes) item(), write_node(node);
-    close(']');
+    out_.open('[');
+    for (const NodeSyntax& node : nodes) out_.item(), write_node(node);
+    out_.close(']');
   }
-}
-
-void JsonWriter::write_list(const std::string& items) {
-  if (fits_line(items, level_)) {
-    text_ += "[ " + items + " ]";
-  } else {
-    text_ += "[\n" + indentation(level_ + 1) + items + '\n' + indentation(level_) + ']';
-  }
-}
-
-void JsonWriter::write_strings(const std::vector<std::string>& strings) {
-  if (strings.empty()) return void(text_ += "[ ]");
-  const std::string line = fmt::format("{}", fmt::join(strings, ", "));
-  const std::string between = ",\n" + indentation(level_ + 1);
-  write_list(fits_line(line, level_) ? line : fmt::format("{}", fmt::join(strings, between)));
 }
 
 }  // namespace

@@ -12,12 +12,13 @@
 #include "document/layout.h"
 #include "document/read_document.h"
 #include "document/write_document.h"
+#include "document/written_nodes.h"
+#include "document/xml_output.h"
 
 namespace plugc {
 namespace {
 
 constexpr NumberWords kWords{" ", ", ", "true", "false"};
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 constexpr std::array<std::string_view, 6> kTakenAttributes = {"DEF", "USE", "containerField", "class", "id", "xmlns"};
 constexpr std::array<std::string_view, 9> kTakenElements = {
     "EXPORT", "ExternProtoDeclare", "IMPORT", "IS", "ProtoDeclare", "ProtoInstance", "ROUTE", "field", "fieldValue"};
@@ -40,32 +41,6 @@ bool is_attribute(std::string_view field) {
   return is_xml_name(field) && !contains(kTakenAttributes, field);
 }
 
-bool is_control(char c) {
-  return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
-}
-
-/// The text of an attribute in quotes. Line ends and tabs are written by number: parsers make blanks of others.
-std::string attribute_text(std::string_view value) {
-  const char quote = value.find('"') != std::string_view::npos ? '\'' : '"';
-  std::string text(1, quote);
-  for (const char c : value) {
-    if (c == '&') {
-      text += "&amp;";
-    } else if (c == '<') {
-      text += "&lt;";
-    } else if (c == quote) {
-      text += "&apos;";
-    } else if (c == '\n' || c == '\r' || c == '\t') {
-      text += fmt::format("&#{};", static_cast<int>(c));
-    } else if (is_control(c)) {
-      text += kReplacement;
-    } else {
-      text += c;
-    }
-  }
-  return text + quote;
-}
-
 /// Several strings in one attribute, before its quotes.
 std::string quoted(std::string_view string) {
   std::string text(1, '"');
@@ -82,16 +57,6 @@ class XmlWriter {
   std::string write();
 
  private:
-  // Tags
-  void open(std::string_view element);
-  void attribute(std::string_view name, std::string_view value) { raw_attribute(name, attribute_text(value)); }
-  void optional_attribute(std::string_view name, const Name& value) {
-    if (!value.empty()) attribute(name, value.text);
-  }
-  void raw_attribute(std::string_view name, std::string_view quoted);
-  void end_tag();
-  void close(std::string_view element);
-
   // Statements
   void write_head();
   void write_statements(Range<StatementSyntax> statements);
@@ -109,7 +74,6 @@ class XmlWriter {
   void write_field(const NodeSyntax& node, const FieldSyntax& field);
   void write_field_value(const FieldSyntax& field);
   void write_connections(const NodeSyntax& node);
-  void write_code(std::string_view code);
   bool is_instance(const NodeSyntax& node) const {
     return node.is_instance || !is_xml_name(node.type.text) || contains(kTakenElements, node.type.text);
   }
@@ -123,88 +87,45 @@ class XmlWriter {
   std::string strings_text(const ValueSyntax& value) const;
 
   const Document& document_;
-  std::string text_;
-  std::size_t level_ = 0;
-  std::size_t line_begin_ = 0;
-  bool tag_is_open_ = false;  // `<Box size="1 1 1"`: attributes may follow, and `/>` or `>` is not written
-  bool code_ends_here_ = false;
+  XmlOutput out_;
 };
 
 std::string XmlWriter::write() {
-  text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  open("X3D");
-  optional_attribute("profile", document_.head.profile);
-  attribute("version", fmt::format("{}.{}", document_.version_major, document_.version_minor));
+  out_.open("X3D");
+  out_.optional_attribute("profile", document_.head.profile);
+  out_.attribute("version", fmt::format("{}.{}", document_.version_major, document_.version_minor));
   write_head();
-  open("Scene");
+  out_.open("Scene");
   write_statements(document_.statements);
-  close("Scene");
-  close("X3D");
-  return std::move(text_);
+  out_.close("Scene");
+  out_.close("X3D");
+  return out_.take_text();
 }
 
 void XmlWriter::write_head() {
   const HeadSyntax& head = document_.head;
   if (head.components.empty() && head.units.empty() && head.metas.empty()) return;
-  open("head");
+  out_.open("head");
   for (const ComponentSyntax& one : head.components) {
-    open("component");
-    attribute("name", one.name.text);
-    attribute("level", std::to_string(one.level));
-    close("component");
+    out_.open("component");
+    out_.attribute("name", one.name.text);
+    out_.attribute("level", std::to_string(one.level));
+    out_.close("component");
   }
   for (const UnitSyntax& one : head.units) {
-    open("unit");
-    attribute("category", one.category.text);
-    attribute("name", one.name.text);
-    attribute("conversionFactor", number_text(one.factor));
-    close("unit");
+    out_.open("unit");
+    out_.attribute("category", one.category.text);
+    out_.attribute("name", one.name.text);
+    out_.attribute("conversionFactor", number_text(one.factor));
+    out_.close("unit");
   }
   for (const MetaSyntax& one : head.metas) {
-    open("meta");
-    attribute("name", one.name.text);
-    attribute("content", one.content.text);
-    close("meta");
+    out_.open("meta");
+    out_.attribute("name", one.name.text);
+    out_.attribute("content", one.content.text);
+    out_.close("meta");
   }
-  close("head");
-}
-
-// Tags
-
-void XmlWriter::end_tag() {
-  if (std::exchange(tag_is_open_, false)) text_ += ">\n";
-}
-
-void XmlWriter::open(std::string_view element) {
-  end_tag();
-  line_begin_ = text_.size();
-  text_ += indentation(level_++);
-  text_ += '<';
-  text_ += element;
-  tag_is_open_ = true;
-}
-
-void XmlWriter::raw_attribute(std::string_view name, std::string_view quoted) {
-  const std::size_t end = text_.size() - line_begin_ + name.size() + std::min(quoted.find('\n'), quoted.size()) + 2;
-  if (end > kLineWidth) {
-    text_ += '\n';
-    line_begin_ = text_.size();
-    text_ += indentation(level_ + 1);
-  } else {
-    text_ += ' ';
-  }
-  text_.append(name).append("=").append(quoted);
-  if (quoted.find('\n') != std::string_view::npos) line_begin_ = text_.rfind('\n') + 1;
-}
-
-void XmlWriter::close(std::string_view element) {
-  --level_;
-  if (std::exchange(tag_is_open_, false)) {
-    text_ += "/>\n";
-    return;
-  }
-  if (!std::exchange(code_ends_here_, false)) text_ += indentation(level_);
-  text_.append("</").append(element).append(">\n");
+  out_.close("head");
 }
 
 // Statements
@@ -226,60 +147,60 @@ void XmlWriter::write_statement(const StatementSyntax& statement) {
 }
 
 void XmlWriter::write_route(const RouteSyntax& route) {
-  open("ROUTE");
-  attribute("fromNode", route.from_node.text);
-  attribute("fromField", route.from_field.text);
-  attribute("toNode", route.to_node.text);
-  attribute("toField", route.to_field.text);
-  close("ROUTE");
+  out_.open("ROUTE");
+  out_.attribute("fromNode", route.from_node.text);
+  out_.attribute("fromField", route.from_field.text);
+  out_.attribute("toNode", route.to_node.text);
+  out_.attribute("toField", route.to_field.text);
+  out_.close("ROUTE");
 }
 
 void XmlWriter::write_import(const ImportSyntax& import, std::string_view element) {
-  open(element);
-  optional_attribute("inlineDEF", import.inline_def);
-  attribute(element == "IMPORT" ? "importedDEF" : "localDEF", import.name.text);
-  if (import.alias.text != import.name.text) optional_attribute("AS", import.alias);
-  close(element);
+  out_.open(element);
+  out_.optional_attribute("inlineDEF", import.inline_def);
+  out_.attribute(element == "IMPORT" ? "importedDEF" : "localDEF", import.name.text);
+  if (import.alias.text != import.name.text) out_.optional_attribute("AS", import.alias);
+  out_.close(element);
 }
 
 void XmlWriter::write_prototype(const ProtoSyntax& prototype) {
-  open("ProtoDeclare");
-  attribute("name", prototype.name.text);
+  out_.open("ProtoDeclare");
+  out_.attribute("name", prototype.name.text);
   if (!prototype.interface.empty()) {
-    open("ProtoInterface");
+    out_.open("ProtoInterface");
     for (const InterfaceSyntax& field : document_.of(prototype.interface)) write_interface(field);
-    close("ProtoInterface");
+    out_.close("ProtoInterface");
   }
-  open("ProtoBody");
+  out_.open("ProtoBody");
   write_statements(prototype.body);
-  close("ProtoBody");
-  close("ProtoDeclare");
+  out_.close("ProtoBody");
+  out_.close("ProtoDeclare");
 }
 
 void XmlWriter::write_external(const ProtoSyntax& prototype) {
-  open("ExternProtoDeclare");
-  attribute("name", prototype.name.text);
+  out_.open("ExternProtoDeclare");
+  out_.attribute("name", prototype.name.text);
   ValueSyntax urls;
   urls.kind = ValueKind::strings;
   urls.bracketed = true;
   urls.hold(prototype.urls);
   write_value("url", urls);
   for (const InterfaceSyntax& field : document_.of(prototype.interface)) write_interface(field);
-  close("ExternProtoDeclare");
+  out_.close("ExternProtoDeclare");
 }
 
 void XmlWriter::write_interface(const InterfaceSyntax& field) {
-  open("field");
-  attribute("accessType", to_text(field.access));
-  attribute("type", field.type.text);
-  attribute("name", field.name.text);
+  out_.open("field");
+  out_.attribute("accessType", to_text(field.access));
+  out_.attribute("type", field.type.text);
+  out_.attribute("name", field.name.text);
   const ValueKind kind = field.value.kind;
   if (kind == ValueKind::nodes) {
     for (const NodeSyntax& node : document_.of(field.value.nodes())) write_node(node);
   } else if (kind != ValueKind::none && kind != ValueKind::is) {
     write_value("value", field.value);
   }
-  close("field");
+  out_.close("field");
 }
 
 // Nodes
@@ -287,14 +208,14 @@ void XmlWriter::write_interface(const InterfaceSyntax& field) {
 void XmlWriter::write_node(const NodeSyntax& node) {
   const bool instance = is_instance(node);
   const std::string_view element = instance ? "ProtoInstance" : node.type.text;
-  open(element);
-  if (instance) attribute("name", node.type.text);
-  optional_attribute("DEF", node.extras->def);
-  optional_attribute("USE", node.extras->use);
-  optional_attribute("containerField", node.extras->container_field);
+  out_.open(element);
+  if (instance) out_.attribute("name", node.type.text);
+  out_.optional_attribute("DEF", node.extras->def);
+  out_.optional_attribute("USE", node.extras->use);
+  out_.optional_attribute("containerField", node.extras->container_field);
   write_attributes(node);
   write_inside(node);
-  close(element);
+  out_.close(element);
 }
 
 void XmlWriter::write_attributes(const NodeSyntax& node) {
@@ -304,17 +225,13 @@ void XmlWriter::write_attributes(const NodeSyntax& node) {
 }
 
 void XmlWriter::write_inside(const NodeSyntax& node) {
-  const auto write_if = [&](bool routes) {
-    for (const StatementSyntax& one : document_.of(node.extras->statements)) {
-      if ((one.kind == StatementKind::route) == routes) write_statement(one);
-    }
-  };
-  write_if(false);
+  const auto write_one = [&](const StatementSyntax& one) { write_statement(one); };
+  each_statement(document_, node, false, write_one);
   for (const InterfaceSyntax& field : document_.of(node.extras->interface)) write_interface(field);
   write_connections(node);
   for (const FieldSyntax& field : document_.of(node.fields)) write_field(node, field);
-  write_if(true);
-  for (const MappedText& code : document_.of(node.extras->cdata)) write_code(code.text());
+  each_statement(document_, node, true, write_one);
+  for (const MappedText& code : document_.of(node.extras->cdata)) out_.code(code.text());
 }
 
 void XmlWriter::write_field(const NodeSyntax& node, const FieldSyntax& field) {
@@ -324,58 +241,27 @@ void XmlWriter::write_field(const NodeSyntax& node, const FieldSyntax& field) {
 }
 
 void XmlWriter::write_field_value(const FieldSyntax& field) {
-  open("fieldValue");
-  attribute("name", field.name.text);
+  out_.open("fieldValue");
+  out_.attribute("name", field.name.text);
   if (field.value.kind != ValueKind::nodes) {
     write_value("value", field.value);
   } else if (field.value.nodes().empty()) {
-    attribute("value", field.value.bracketed ? "" : "NULL");
+    out_.attribute("value", field.value.bracketed ? "" : "NULL");
   }
   for (const NodeSyntax& node : document_.of(field.value.nodes())) write_node(node);
-  close("fieldValue");
+  out_.close("fieldValue");
 }
 
 void XmlWriter::write_connections(const NodeSyntax& node) {
   bool any = false;
-  const auto connect = [&](const Name& field, const ValueSyntax& value) {
-    if (value.kind != ValueKind::is) return;
-    if (!std::exchange(any, true)) open("IS");
-    open("connect");
-    attribute("nodeField", field.text);
-    attribute("protoField", document_.of(value.strings()).front().text());
-    close("connect");
-  };
-  for (const InterfaceSyntax& field : document_.of(node.extras->interface)) connect(field.name, field.value);
-  for (const FieldSyntax& field : document_.of(node.fields)) connect(field.name, field.value);
-  if (any) close("IS");
-}
-
-/// Ends where the code ends: white space behind it would belong to it, were it no CDATA.
-void XmlWriter::write_code(std::string_view code) {
-  if (std::exchange(tag_is_open_, false)) text_ += '>';
-  code_ends_here_ = true;
-  const bool plain = code.find("]]>") == std::string_view::npos && code.find('\r') == std::string_view::npos &&
-                     std::none_of(code.begin(), code.end(), is_control);
-  if (plain) {
-    text_.append("<![CDATA[").append(code).append("]]>");
-    return;
-  }
-  if (text_.back() == '\n') text_.pop_back();
-  for (const char c : code) {
-    if (c == '&') {
-      text_ += "&amp;";
-    } else if (c == '<') {
-      text_ += "&lt;";
-    } else if (c == '>') {
-      text_ += "&gt;";
-    } else if (c == '\r') {
-      text_ += "&#13;";
-    } else if (is_control(c)) {
-      text_ += kReplacement;
-    } else {
-      text_ += c;
-    }
-  }
+  each_connection(document_, node, [&](std::string_view node_field, std::string_view proto_field) {
+    if (!std::exchange(any, true)) out_.open("IS");
+    out_.open("connect");
+    out_.attribute("nodeField", node_field);
+    out_.attribute("protoField", proto_field);
+    out_.close("connect");
+  });
+  if (any) out_.close("IS");
 }
 
 // Values
@@ -383,24 +269,25 @@ void XmlWriter::write_code(std::string_view code) {
 void XmlWriter::write_value(std::string_view name, const ValueSyntax& value) {
   switch (value.kind) {
     case ValueKind::numbers:
-    case ValueKind::booleans: return raw_attribute(name, '"' + numbers_text(document_, value, kWords, level_ + 2) + '"');
+    case ValueKind::booleans:
+      return out_.raw_attribute(name, '"' + numbers_text(document_, value, kWords, out_.level() + 2) + '"');
     case ValueKind::lexical:
-    case ValueKind::strings: return raw_attribute(name, strings_text(value));
-    default: return raw_attribute(name, "\"\"");
+    case ValueKind::strings: return out_.raw_attribute(name, strings_text(value));
+    default: return out_.raw_attribute(name, "\"\"");
   }
 }
 
 /// One string as it is; of a list each in quotes of its own, each in a line of its own where they are long.
 std::string XmlWriter::strings_text(const ValueSyntax& value) const {
   const auto strings = document_.of(value.strings());
-  if (!value.bracketed && strings.size() == 1) return attribute_text(strings.front().text());
+  if (!value.bracketed && strings.size() == 1) return xml_attribute_text(strings.front().text());
   std::vector<std::string> parts;
   for (const MappedText& string : strings) {
-    const std::string part = attribute_text(quoted(string.text()));
+    const std::string part = xml_attribute_text(quoted(string.text()));
     parts.push_back(part.substr(1, part.size() - 2));
   }
   const std::string line = fmt::format("'{}'", fmt::join(parts, " "));
-  return fits_line(line, level_ + 2) ? line : fmt::format("'{}'", fmt::join(parts, '\n' + indentation(level_ + 2)));
+  return fits_line(line, out_.level() + 2) ? line : fmt::format("'{}'", fmt::join(parts, '\n' + indentation(out_.level() + 2)));
 }
 
 }  // namespace

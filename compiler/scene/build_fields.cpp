@@ -67,6 +67,7 @@ void GraphBuilder::build_fields(const Job& job, NodeId id) {
 
 void GraphBuilder::build_field(const Job& job, NodeId id, const FieldSyntax& field) {
   const NodeInfo& node = *graph_.nodes_[id.value].info;
+  if (is_unplaced(field)) return lose_nodes(*job.scope, field.value);
   if (field.name.empty()) {
     Destination to;
     to.holder = id;
@@ -217,7 +218,7 @@ void GraphBuilder::connect_interface(const Job& job, NodeId id, std::size_t inde
 
 /// In a scope that repeats, the same syntax is read (and reported on) once.
 bool GraphBuilder::read_plain(const Scope& scope, const ValueSyntax& syntax, const ValueContract& contract, FieldValue& value) {
-  ValueStore store{graph_.numbers_, graph_.strings_};
+  ValueStore store{graph_.numbers_, graph_.strings_, number_budget_};
   if (!scope.repeats) return read_value(syntax, document(scope), contract, store, diagnostics_, value);
   const auto [entry, is_new] = read_values_.try_emplace({&syntax, contract.type});
   if (is_new && read_value(syntax, document(scope), contract, store, diagnostics_, value)) entry->second = value;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,19 +22,33 @@ constexpr double kDefaultSky = 26.0 / 255.0;
 /// The reference engine adds this much of each material's ambient colour (OpenGL's default light model), measured.
 constexpr double kGlobalAmbient = 0.2;
 
-/// What a shape inherits from the groups above it.
-struct Scope {
-  int transform = -1;
-  std::vector<int> effects;  // of groups, from the outermost in
-  std::vector<int> lights;   // not global
-};
+/// How the walk treats a node.
+enum class Role : std::uint8_t { other, shape, switch_, lod, transform, group, inlined, effect, light };
+
+Role role_of(const NodeInfo& node) {
+  static constexpr std::array<std::pair<std::string_view, Role>, 10> kRoles = {{{"Shape", Role::shape},
+                                                                                {"Switch", Role::switch_},
+                                                                                {"LOD", Role::lod},
+                                                                                {"Transform", Role::transform},
+                                                                                {"Inline", Role::inlined},
+                                                                                {"X3DGroupingNode", Role::group},
+                                                                                {"Effect", Role::effect},
+                                                                                {"DirectionalLight", Role::light},
+                                                                                {"PointLight", Role::light},
+                                                                                {"SpotLight", Role::light}}};
+  for (const auto& [type, role] : kRoles) {
+    if (is_a(node, type)) return role;
+  }
+  return Role::other;
+}
 
 class SceneWalk {
  public:
   explicit SceneWalk(SceneContext& context) : context_(context), graph_(context.graph) {}
 
   void run() {
-    visit_list(graph_.roots(), Scope());
+    check_top(graph_.roots());
+    visit_list(graph_.roots());
     if (context_.options.all_branches) add_unreached_effects();
     add_headlight(context_, navigation_info_);
     context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
@@ -43,17 +59,20 @@ class SceneWalk {
   }
 
  private:
-  void visit_list(std::span<const NodeId> nodes, Scope scope);
-  void visit(NodeId node, const Scope& scope);
-  void visit_switch(NodeId node, const Scope& scope);
-  void visit_transform(NodeId node, const Scope& scope);
-  void visit_shape(NodeId node, const Scope& scope);
-  void visit_viewpoint(NodeId node, const Scope& scope);
-  void visit_bindable(NodeId node, const Scope& scope);
+  void visit_list(std::span<const NodeId> nodes);
+  void visit_below(const SceneTransform& transform, std::span<const NodeId> nodes);
+  void act_on_siblings(NodeId node);
+  void check_top(std::span<const NodeId> nodes);
+  void visit(NodeId node);
+  void visit_switch(NodeId node);
+  void visit_transform(NodeId node);
+  void visit_shape(NodeId node);
+  void visit_viewpoint(NodeId node);
+  void visit_bindable(NodeId node);
   void add_global_lights(SceneShape& shape);
   void add_unreached_effects();
-  int add_transform(const SceneTransform& transform);
   bool within_limits(NodeId node);
+  Role role(NodeId node);
 
   SceneContext& context_;
   const NodeGraph& graph_;
@@ -61,6 +80,13 @@ class SceneWalk {
   bool has_background_ = false;
   std::vector<int> global_lights_;
   std::vector<std::vector<NodeId>> receives_;  // per shape: lights that its Appearance names
+
+  // What the next shape inherits from the groups above it.
+  int transform_ = -1;
+  std::vector<int> effects_;  // from the outermost in
+  std::vector<int> lights_;   // not global
+
+  std::unordered_map<const NodeInfo*, Role> roles_;
   std::uint32_t visited_ = 0;
   std::uint32_t depth_ = 0;
   bool limit_reached_ = false;
@@ -82,78 +108,106 @@ bool SceneWalk::within_limits(NodeId node) {
   return false;
 }
 
-void SceneWalk::visit_list(std::span<const NodeId> nodes, Scope scope) {
+/// A type's bases are looked up once: the walk meets the same few types again and again.
+Role SceneWalk::role(NodeId node) {
+  const NodeInfo* info = graph_[node].info;
+  const auto [known, is_new] = roles_.try_emplace(info, Role::other);
+  if (is_new) known->second = role_of(*info);
+  return known->second;
+}
+
+void SceneWalk::visit_list(std::span<const NodeId> nodes) {
+  const std::size_t effects = effects_.size(), lights = lights_.size();
   for (const NodeId node : nodes) {
-    if (!node.valid()) continue;
-    if (graph_.is(node, "Effect")) {
-      if (const int effect = effect_index(context_, node); effect >= 0) scope.effects.push_back(effect);
-    } else if (graph_.is(node, "DirectionalLight") || graph_.is(node, "PointLight") || graph_.is(node, "SpotLight")) {
-      const bool off_for_good = !graph_.boolean(node, "on") && !context_.slots.may_change(node, "on");
-      if (off_for_good) continue;
-      (graph_.boolean(node, "global") ? global_lights_ : scope.lights).push_back(add_light(context_, node, scope.transform));
-    }
+    if (node.valid()) act_on_siblings(node);
   }
   for (const NodeId node : nodes) {
-    if (node.valid() && within_limits(node)) visit(node, scope);
+    if (node.valid() && within_limits(node)) visit(node);
+  }
+  effects_.resize(effects);
+  lights_.resize(lights);
+}
+
+void SceneWalk::act_on_siblings(NodeId node) {
+  if (role(node) == Role::effect) {
+    if (const int effect = effect_index(context_, node); effect >= 0) effects_.push_back(effect);
+  } else if (role(node) == Role::light) {
+    const bool off_for_good = !graph_.boolean(node, "on") && !context_.slots.may_change(node, "on");
+    if (off_for_good) return;
+    (graph_.boolean(node, "global") ? global_lights_ : lights_).push_back(add_light(context_, node, transform_));
   }
 }
 
-void SceneWalk::visit(NodeId node, const Scope& scope) {
+/// X3D 4.1 part 1, 4.3.2: the nodes at the top of a file are children, or layers. Its metadata often stands there too.
+void SceneWalk::check_top(std::span<const NodeId> nodes) {
+  for (const NodeId node : nodes) {
+    const auto is = [&](std::string_view type) { return graph_.is(node, type); };
+    if (role(node) != Role::other || is("X3DChildNode") || is("LayerSet") || is("X3DMetadataObject")) continue;
+    context_.diagnostics.report(DiagnosticId::node_misplaced, graph_[node].type_span,
+                                fmt::format("`{}` stands at the top of the file, where only children of groups count; it is "
+                                            "not drawn",
+                                            graph_[node].info->name));
+  }
+}
+
+void SceneWalk::visit(NodeId node) {
   ++visited_;
   ++depth_;
-  if (graph_.is(node, "Shape")) {
-    visit_shape(node, scope);
-  } else if (graph_.is(node, "Switch")) {
-    visit_switch(node, scope);
-  } else if (graph_.is(node, "LOD")) {
-    const auto levels = graph_.children(node, "children");
-    visit_list(levels.subspan(0, std::min<std::size_t>(levels.size(), 1)), scope);
-  } else if (graph_.is(node, "Transform")) {
-    visit_transform(node, scope);
-  } else if (graph_.is(node, "X3DGroupingNode") || graph_.is(node, "Inline")) {
-    visit_list(graph_.children(node, "children"), scope);
-  } else {
-    visit_bindable(node, scope);
+  switch (role(node)) {
+    case Role::shape: visit_shape(node); break;
+    case Role::switch_: visit_switch(node); break;
+    case Role::lod: {
+      const auto levels = graph_.children(node, "children");
+      visit_list(levels.subspan(0, std::min<std::size_t>(levels.size(), 1)));
+      break;
+    }
+    case Role::transform: visit_transform(node); break;
+    case Role::group: visit_list(graph_.children(node, "children")); break;
+    case Role::inlined:
+      check_top(graph_.children(node, "children"));
+      visit_list(graph_.children(node, "children"));
+      break;
+    case Role::other: visit_bindable(node); break;
+    case Role::effect:
+    case Role::light: break;  // they acted on their siblings
   }
   --depth_;
 }
 
-int SceneWalk::add_transform(const SceneTransform& transform) {
+void SceneWalk::visit_below(const SceneTransform& transform, std::span<const NodeId> nodes) {
   context_.scene.transforms.push_back(transform);
-  return static_cast<int>(context_.scene.transforms.size() - 1);
+  const int outer = std::exchange(transform_, static_cast<int>(context_.scene.transforms.size() - 1));
+  visit_list(nodes);
+  transform_ = outer;
 }
 
-void SceneWalk::visit_transform(NodeId node, const Scope& scope) {
+void SceneWalk::visit_transform(NodeId node) {
   SceneTransform transform;
-  transform.parent = scope.transform;
+  transform.parent = transform_;
   transform.translation = context_.slots.slot_if_used(node, "translation");
   transform.rotation = context_.slots.slot_if_used(node, "rotation");
   transform.scale = context_.slots.slot_if_used(node, "scale");
   transform.scale_orientation = context_.slots.slot_if_used(node, "scaleOrientation");
   transform.center = context_.slots.slot_if_used(node, "center");
-  Scope inner = scope;
-  inner.transform = add_transform(transform);
-  visit_list(graph_.children(node, "children"), std::move(inner));
+  visit_below(transform, graph_.children(node, "children"));
 }
 
 /// A Switch that nothing can change is its chosen child; one that a ROUTE drives keeps them all, each under a condition.
-void SceneWalk::visit_switch(NodeId node, const Scope& scope) {
+void SceneWalk::visit_switch(NodeId node) {
   const auto children = graph_.children(node, "children");
   if (!context_.slots.may_change(node, "whichChoice") && !context_.options.all_branches) {
     const int choice = graph_.integer(node, "whichChoice");
     if (choice >= 0 && static_cast<std::size_t>(choice) < children.size()) {
-      visit_list(children.subspan(static_cast<std::size_t>(choice), 1), scope);
+      visit_list(children.subspan(static_cast<std::size_t>(choice), 1));
     }
     return;
   }
   for (std::size_t i = 0; i < children.size(); ++i) {
     SceneTransform transform;
-    transform.parent = scope.transform;
+    transform.parent = transform_;
     transform.switch_slot = context_.slots.slot(node, "whichChoice");
     transform.choice = static_cast<int>(i);
-    Scope inner = scope;
-    inner.transform = add_transform(transform);
-    visit_list(children.subspan(i, 1), std::move(inner));
+    visit_below(transform, children.subspan(i, 1));
   }
 }
 
@@ -164,19 +218,19 @@ Shading read_shading(SceneContext& context, NodeId shape) {
   return Shading::phong;
 }
 
-void SceneWalk::visit_shape(NodeId node, const Scope& scope) {
+void SceneWalk::visit_shape(NodeId node) {
   const NodeId geometry = graph_.child(node, "geometry");
   if (!geometry.valid() || (!graph_.boolean(node, "render") && !context_.options.all_branches)) return;
   SceneShape shape;
   shape.node = node;
   shape.geometry = geometry;
   shape.name = graph_[node].def.empty() ? std::string(graph_[geometry].info->name) : std::string(graph_[node].def);
-  shape.transform = scope.transform;
-  shape.lights = scope.lights;
+  shape.transform = transform_;
+  shape.lights = lights_;
   shape.shading = read_shading(context_, node);
   const NodeId appearance = graph_.child(node, "appearance");
   read_appearance(context_, appearance, shape);
-  shape.effects.insert(shape.effects.end(), scope.effects.begin(), scope.effects.end());
+  shape.effects.insert(shape.effects.end(), effects_.begin(), effects_.end());
   shape.casts_shadow = shape.casts_shadow && graph_.boolean(node, "castShadow");
   std::vector<NodeId> named;
   if (graph_.is(appearance, "Appearance")) {
@@ -187,11 +241,11 @@ void SceneWalk::visit_shape(NodeId node, const Scope& scope) {
   context_.scene.shapes.push_back(std::move(shape));
 }
 
-void SceneWalk::visit_viewpoint(NodeId node, const Scope& scope) {
+void SceneWalk::visit_viewpoint(NodeId node) {
   SceneViewpoint viewpoint;
   viewpoint.name = graph_[node].def;
   viewpoint.description = graph_.string(node, "description");
-  viewpoint.transform = scope.transform;
+  viewpoint.transform = transform_;
   viewpoint.orthographic = graph_.is(node, "OrthoViewpoint");
   viewpoint.position = context_.slots.slot(node, "position");
   viewpoint.orientation = context_.slots.slot(node, "orientation");
@@ -199,9 +253,9 @@ void SceneWalk::visit_viewpoint(NodeId node, const Scope& scope) {
   context_.scene.viewpoints.push_back(std::move(viewpoint));
 }
 
-void SceneWalk::visit_bindable(NodeId node, const Scope& scope) {
+void SceneWalk::visit_bindable(NodeId node) {
   if (graph_.is(node, "Viewpoint") || graph_.is(node, "OrthoViewpoint")) {
-    visit_viewpoint(node, scope);
+    visit_viewpoint(node);
   } else if (graph_.is(node, "X3DBackgroundNode") && !has_background_) {
     has_background_ = true;
     context_.scene.background_color = context_.slots.slot(node, "skyColor");

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -61,8 +62,15 @@ std::span<const double> lexical_numbers(Reading& reading) {
   if (text.empty()) return {};
   const LexicalKind kind = is_boolean(reading.contract.type) ? LexicalKind::booleans : LexicalKind::numbers;
   Diagnostics unheard(reading.diagnostics.sources());  // what a damaged text says is no mistake of its own
-  LexicalNumbers read = read_lexical_numbers(text[0], kind, reading.damaged ? unheard : reading.diagnostics);
-  reading.damaged |= read.damaged;
+  NumberBudget& budget = reading.store.budget;
+  LexicalNumbers read = read_lexical_numbers(text[0], kind, reading.damaged ? unheard : reading.diagnostics, budget.left);
+  reading.damaged |= read.damaged || read.cut;
+  budget.left -= read.numbers.size();
+  if (read.cut && !std::exchange(budget.is_spent, true)) {
+    reading.diagnostics.report(
+        DiagnosticId::scene_limit, reading.syntax.span,
+        fmt::format("the attributes of this scene hold more than {} numbers; the rest is left out", kMaxDocumentNumbers));
+  }
   return reading.store.keep(std::move(read.numbers));
 }
 

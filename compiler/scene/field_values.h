@@ -6,10 +6,17 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/limits.h"
 #include "document/document.h"
 #include "scene/node_graph.h"
 
 namespace plugc {
+
+/// How many numbers the texts of attributes may still unfold to, in all files of a scene together.
+struct NumberBudget {
+  std::size_t left = kMaxDocumentNumbers;
+  bool is_spent = false;  ///< Which was reported.
+};
 
 /// Where values live that no document holds.
 struct ValueStore {
@@ -18,6 +25,7 @@ struct ValueStore {
 
   std::deque<std::vector<double>>& numbers;
   std::deque<std::vector<MappedText>>& strings;
+  NumberBudget& budget;
 };
 
 /// What is asked of a value: its type and range, and what messages call it.

@@ -157,8 +157,8 @@ class GraphBuilder {
 
  private:
   // build_graph.cpp: jobs and nodes
-  Scope& add_document(Document document, const std::filesystem::path& path);
-  void build_roots(Scope& scope, NodeList& roots);
+  std::uint32_t add_document(Document document, const std::filesystem::path& path);
+  void build_roots(std::uint32_t index, NodeList& roots);
   void run_jobs();
   void run(const Job& job);
   void push_statements(std::span<const StatementSyntax> statements, Job model);
@@ -168,13 +168,6 @@ class GraphBuilder {
   void finish_node(const Job& job);
   void finish_graph(const NodeList& roots);
   Definition* define(Scope& scope, const Name& name);
-  void lose(Scope& scope, const NodeSyntax& node);
-  void lose_nodes(Scope& scope, const ValueSyntax& value);
-  void lose_name(Scope& scope, std::string_view name);
-  void report_unknown_node(const Job& job);
-  void report_element_of_a_prototype(const Name& type);
-  void report_unknown_type(const Name& type);
-  bool spend(std::size_t work, const Span& span);
   const Document& document(const Scope& scope) const { return graph_.documents_[scope.document]; }
 
   // build_fields.cpp: what stands in a node
@@ -200,6 +193,7 @@ class GraphBuilder {
   void place(const Job& job, NodeId id);
   bool choose_container(Destination& to, NodeId id);
   void place_use(const Job& job);
+  void check_use(const Job& job, const Definition& definition);
   NodeList* share(const Job& job, NodeId holder, const FieldInfo* info, const ProtoField& source);
   void check_accepted(const FieldInfo& field, NodeId holder, NodeId id, const Span& span);
   bool fits_depth(std::uint32_t depth, NodeId id, const Span& span);
@@ -214,13 +208,15 @@ class GraphBuilder {
   bool may_expand(const Job& job, const Prototype& prototype);
   Instance& new_instance(const Job& job, const Prototype& prototype, const Prototype* external);
   void declare_fields(Instance& instance);
+  void run_body(const Job& job);
+
+  // instance_fields.cpp
   bool declares(const Prototype& prototype, std::string_view field) const;
   ProtoField* find_given(const Job& job, Instance& instance, const FieldSyntax& written);
   void set_field(const Job& job, Instance& instance, const FieldSyntax& written);
   void give_value(const Job& job, Instance& instance, ProtoField& field, const ValueSyntax& value, Scope& scope);
   ProtoField* container_of(Instance& instance, const FieldSyntax& child, const Document& document);
   ProtoField* follow_is(const Scope& scope, const ValueSyntax& is, FieldType type, AccessType access, const Link& link);
-  void run_body(const Job& job);
 
   // load_documents.cpp
   std::optional<std::uint32_t> load(std::string_view url, const std::filesystem::path& base, const Span& span,
@@ -250,6 +246,7 @@ class GraphBuilder {
                        const std::function<std::vector<std::string_view>()>& names);
   void follow_links(const Link& from, bool outgoing, std::vector<Link>& ends, const Span& span);
 
+  // graph_reports.cpp: what is told, and what is passed over
   /// Once a place: a prototype's body is reported on once, however often it is expanded.
   void report(DiagnosticId id, const Span& span, const std::string& message);
   bool is_reported(DiagnosticId id, const Span& span) const;
@@ -259,6 +256,13 @@ class GraphBuilder {
   std::string suggest_defined(const Scope& scope, std::string_view name);
   /// Whether one more name may be searched for among that many.
   bool may_look_through(std::size_t names);
+  void report_unknown_node(const Job& job);
+  void report_element_of_a_prototype(const Name& type);
+  void report_unknown_type(const Name& type);
+  void lose(Scope& scope, const NodeSyntax& node);
+  void lose_nodes(Scope& scope, const ValueSyntax& value);
+  void lose_name(Scope& scope, std::string_view name);
+  bool spend(std::size_t work, const Span& span);
 
   SourceSet& sources_;
   FileAccess& files_;
@@ -288,6 +292,7 @@ class GraphBuilder {
   std::map<std::uint32_t, Scope*> libraries_;  // of documents that an EXTERNPROTO names
   std::map<std::uint32_t, std::unordered_map<std::string_view, std::uint32_t>> interface_index_;  // of nodes that routes name
   std::unordered_set<std::uint64_t> reported_;
+  NumberBudget number_budget_;
   std::size_t work_ = 0;
   std::size_t suggestions_ = 0;
   std::size_t looked_through_ = 0;  // names, by all of them

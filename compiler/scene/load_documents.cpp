@@ -48,9 +48,7 @@ std::optional<std::uint32_t> GraphBuilder::load(std::string_view url, const std:
   std::optional<std::string> bytes = read_url(files_, url, base, span, diagnostics);
   if (!bytes) return std::nullopt;
   const SourceId source = add_clean_text(sources_, path->generic_string(), std::move(*bytes), diagnostics_);
-  const auto index = static_cast<std::uint32_t>(graph_.documents_.size());
-  graph_.documents_.push_back(read_document(source, *path, files_, sources_, diagnostics_));
-  graph_.document_paths_.push_back(*path);
+  const std::uint32_t index = add_document(read_document(source, *path, files_, sources_, diagnostics_), *path);
   loaded_[path->string()] = index;
   return index;
 }
@@ -199,7 +197,8 @@ void GraphBuilder::look_up_external(Prototype& prototype) {
   }
 }
 
-/// ISO/IEC 14772-1, 4.9.3: `#Name` names the prototype; without it the first PROTO of the file is meant.
+/// ISO/IEC 14772-1, 4.9.3: `#Name` names the prototype; without it the first PROTO of the file is meant. `#Name` alone is one
+/// of the same file (RFC 3986, 4.4).
 Prototype* GraphBuilder::find_external(const Prototype& prototype, const MappedText& url, Diagnostics& failures) {
   const Span span = place_of(url, prototype.syntax->span);
   const std::string_view text = url.text();
@@ -208,7 +207,9 @@ Prototype* GraphBuilder::find_external(const Prototype& prototype, const MappedT
     return nullptr;
   }
   const std::size_t hash = std::min(text.find('#'), text.size());
-  const auto loaded = load(text.substr(0, hash), graph_.document_paths_[prototype.document], span, failures);
+  const bool same_file = hash == 0 && !text.empty();
+  const auto loaded = same_file ? std::optional(prototype.document)
+                                : load(text.substr(0, hash), graph_.document_paths_[prototype.document], span, failures);
   if (!loaded) return nullptr;
   const Scope& names = library(*loaded);
   if (hash == text.size()) {
@@ -220,8 +221,10 @@ Prototype* GraphBuilder::find_external(const Prototype& prototype, const MappedT
   const std::string_view wanted = text.substr(hash + 1);
   if (const auto found = names.prototypes.find(wanted); found != names.prototypes.end()) return found->second.back();
   const auto declared = [&] { return sorted_names(names.prototypes); };
-  failures.report(DiagnosticId::externproto_missing, span,
-                  fmt::format("`{}` declares no prototype `{}`{}", text.substr(0, hash), wanted, suggest(wanted, declared)));
+  failures.report(
+      DiagnosticId::externproto_missing, span,
+      fmt::format("{} declares no prototype `{}`{}", same_file ? "this file" : fmt::format("`{}`", text.substr(0, hash)),
+                  wanted, suggest(wanted, declared)));
   return nullptr;
 }
 

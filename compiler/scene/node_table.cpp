@@ -90,6 +90,10 @@ std::span<const FieldInfo> field_table() {
   return kFields;
 }
 
+std::span<const ComponentInfo> component_table() {
+  return kComponents;
+}
+
 const NodeInfo* find_node_info(std::string_view name) {
   return find_named(std::span<const NodeInfo>(kNodes), name);
 }

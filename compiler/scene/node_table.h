@@ -84,11 +84,19 @@ struct NodeInfo {
   bool has_interface;  ///< May declare its own fields (Script, Effect, ComposedShader, ...).
 };
 
+/// A component that a file may ask for.
+struct ComponentInfo {
+  std::string_view name;
+  std::uint32_t highest_level;  ///< Levels begin with 1.
+};
+
 /// Every node, sorted by name; every field of every node, in one array that NodeInfo::fields are parts of.
 std::span<const NodeInfo> node_table();
 std::span<const FieldInfo> field_table();
 const NodeInfo* find_node_info(std::string_view name);
 const FieldInfo* find_field_info(const NodeInfo& node, std::string_view name);
+/// The components of all versions of X3D and of the extensions, sorted by name (X3D 4.1 part 1, annex F; 3.3 for `H-Anim`).
+std::span<const ComponentInfo> component_table();
 /// Whether `node` is of the type `base`, which may be abstract (X3DLightNode) or a node's own name.
 bool is_a(const NodeInfo& node, std::string_view base);
 /// Whether `field` takes nodes like `node`.

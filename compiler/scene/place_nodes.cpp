@@ -144,8 +144,27 @@ void GraphBuilder::place_use(const Job& job) {
                   fmt::format("this `USE` stands inside `DEF {}`, so that it would contain itself", name.text));
   }
   if (!definition.node.valid() || !fits_depth(job.depth, definition.node, name.span)) return;
+  check_use(job, definition);
   place(job, definition.node);
   raise_height(job.to.holder, definition.node);
+}
+
+/// A USE is the node as it is. In XML and JSON it looks like a node, so that it may give fields or call another type.
+void GraphBuilder::check_use(const Job& job, const Definition& definition) {
+  const NodeSyntax& use = *job.node;
+  const std::string_view name = use.extras->use.text;
+  const GraphNode& node = graph_.nodes_[definition.node.value];
+  const std::string_view actual = node.info->name;
+  const bool is_own = definition.instance == nullptr && node.document == job.scope->document;  // not imported
+  const bool says_type = !use.type.empty() && !use.is_instance && is_own;
+  if (says_type && use.type.text != actual) {
+    report(DiagnosticId::node_misplaced, use.type.span,
+           fmt::format("`{}` is a `{}`, but this `USE` calls it a `{}`", name, actual, use.type.text));
+  }
+  if (use.fields.empty()) return;
+  const FieldSyntax& given = document(*job.scope).of(use.fields)[0];
+  report(DiagnosticId::field_unknown, given.name.empty() ? given.value.span : given.name.span,
+         fmt::format("`USE {}` is the node as it is; what is given to it here is passed over", name));
 }
 
 std::string GraphBuilder::suggest_defined(const Scope& scope, std::string_view name) {

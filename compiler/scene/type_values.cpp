@@ -32,8 +32,8 @@ bool read_numbers(Document& document, ValueSyntax& value, ValueKind kind) {
   Diagnostics mistakes(no_sources);
   const MappedText text = document.of(value.strings()).front();
   const LexicalKind words = kind == ValueKind::booleans ? LexicalKind::booleans : LexicalKind::numbers;
-  const auto [numbers, damaged] = read_lexical_numbers(text, words, mistakes);
-  if (damaged || !mistakes.all().empty() || numbers.empty()) return false;
+  const auto [numbers, damaged, cut] = read_lexical_numbers(text, words, mistakes);
+  if (damaged || cut || !mistakes.all().empty() || numbers.empty()) return false;
   value.kind = kind;
   value.hold(Range<double>{static_cast<std::uint32_t>(document.numbers.size()), static_cast<std::uint32_t>(numbers.size())});
   document.numbers.insert(document.numbers.end(), numbers.begin(), numbers.end());

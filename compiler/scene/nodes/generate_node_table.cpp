@@ -1,7 +1,8 @@
 // generate_node_table OUT.inc TSV...: the node tables as constexpr arrays that node_table.cpp includes.
 //
-// A table whose header starts with `abstract` gives abstract types and their bases; one whose header starts with `enumeration`
-// the words that a string field takes, separated by `|` (`""` for the empty one); every other table gives one field a row.
+// The first word of its header says what a table gives: `abstract` the abstract types and their bases; `component` the
+// components and their highest levels; `enumeration` the words that a string field takes, separated by `|` (`""` for the
+// empty one); every other one field a row.
 // A row without a base adds its field to a node that another table defines, or, when it names an abstract type, to every
 // node of that type. A node whose base is itself a node inherits that node's fields. `@containerField` rows give the XML
 // default. A later addition of the same field wins. Nodes, and fields inside a node, come out sorted by name, so that
@@ -31,6 +32,7 @@ struct Tables {
   std::map<std::string, Node> nodes;
   std::vector<std::vector<std::string>> additions;  // rows without a base
   std::vector<std::vector<std::string>> enumerations;
+  std::map<std::string, std::string> components;  // name to highest level
 };
 
 const std::set<std::string> kWithInterface = {"ComposedShader", "Effect", "PackagedShader", "Script", "ShaderProgram"};
@@ -55,12 +57,15 @@ void read_table(const std::string& path, Tables& tables) {
   std::string line;
   std::getline(file, line);
   const bool abstract = line.rfind("abstract", 0) == 0;
+  const bool component = line.rfind("component", 0) == 0;
   const bool enumeration = line.rfind("enumeration", 0) == 0;
   while (std::getline(file, line)) {
     std::vector<std::string> row = split(line, '\t');
-    row.resize(abstract ? 2 : enumeration ? 3 : 11);
+    row.resize(abstract || component ? 2 : enumeration ? 3 : 11);
     if (row[0].empty()) continue;
-    if (enumeration) {
+    if (component) {
+      tables.components[row[0]] = row[1];
+    } else if (enumeration) {
       tables.enumerations.push_back(row);
     } else if (abstract) {
       tables.abstracts[row[0]] = row[1];
@@ -186,6 +191,12 @@ void write_abstracts(std::ostream& out, const Tables& tables) {
   out << "};\n";
 }
 
+void write_components(std::ostream& out, const Tables& tables) {
+  out << "\nconstexpr ComponentInfo kComponents[] = {\n";
+  for (const auto& [name, level] : tables.components) out << "    {" << quoted(name) << ", " << level << "},\n";
+  out << "};\n";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -203,5 +214,6 @@ int main(int argc, char** argv) {
   write_fields(out, tables);
   write_nodes(out, tables);
   write_abstracts(out, tables);
+  write_components(out, tables);
   return out.good() ? 0 : 1;
 }
