@@ -4,6 +4,7 @@
 
 #include "attack.h"
 #include "base/limits.h"
+#include "scene/scene.h"
 
 namespace plugc {
 namespace {
@@ -23,6 +24,24 @@ TEST(Attacks, APathForEachSubsetIsNoNodeForEachPath) {
   const auto built = build(classic_scene(text));
   EXPECT_EQ(built->said(), "");
   EXPECT_EQ(built->graph.size(), 41U);
+}
+
+/// As APathForEachSubset, but walked: each path to the shape is a shape of the scene.
+TEST(Attacks, StopWhereShapesMultiply) {
+  for (const std::string_view innermost : {"Shape { geometry Box { } }", "Group { }"}) {
+    std::string text = fmt::format("DEF N0 {}\n", innermost);
+    for (int i = 1; i <= 40; ++i) {
+      text += fmt::format("DEF N{} Transform {{ children [ USE N{} USE N{} Effect {{ }} ] }}\n", i, i - 1, i - 1);
+    }
+    const std::size_t peak = peak_of([&] {
+      const auto built = build(classic_scene(text));
+      const Scene scene = build_scene(built->graph, built->sources, built->files, {}, built->diagnostics);
+      const bool stopped = count_of(built->diagnostics, DiagnosticId::scene_limit) == 1 &&
+                           scene.shapes.size() <= kMaxShapeInstances && scene.transforms.size() <= kMaxSceneNodes;
+      if (!stopped) _exit(1);
+    });
+    expect_peak(peak, std::size_t{1} << 30);
+  }
 }
 
 TEST(Attacks, FindPrototypesThatContainThemselves) {

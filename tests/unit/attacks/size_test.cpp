@@ -1,5 +1,7 @@
 // Much of everything, cut short where that hurts, with work that grows with the input and memory that is bounded by it.
 
+#include <fmt/format.h>
+
 #include "attack.h"
 #include "base/limits.h"
 
@@ -170,6 +172,54 @@ TEST(Attacks, StopAtAFilesManyItems) {
   const auto built = build(classic_scene("Script { url [ " + repeated("\"\" ", kMaxDocumentItems + 10) + "] }"));
   EXPECT_NE(built->said().find("this file holds more than 8000000 nodes, fields and strings"), std::string::npos);
   EXPECT_EQ(built->diagnostics.all().size(), 1U) << built->said();
+}
+
+/// Whether reading `text` in a child says only that there are too many numbers.
+bool says_too_many_numbers(const std::string& text, std::string_view who) {
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  MemoryFiles files;
+  const SourceId source = sources.add("s", text);
+  build_graph(read_document(source, sources, diagnostics), "s", sources, files, diagnostics);
+  return diagnostics.all().size() == 1 && diagnostics.all()[0].id == DiagnosticId::scene_limit &&
+         diagnostics.all()[0].message.find(fmt::format("{} more than {} numbers", who, kMaxDocumentNumbers)) !=
+             std::string::npos;
+}
+
+TEST(Attacks, StopAtManyNumbers) {
+  constexpr std::size_t kMoreThanHalf = kMaxDocumentNumbers / 2 + 1;
+  static_assert(kMoreThanHalf % 3 == 0, "whole points, or there is another mistake");
+  const std::string numbers = repeated("1 ", kMoreThanHalf);
+  const std::string list = "Coordinate { point [" + numbers + "] }\n";
+  const std::string element = "<Coordinate point='" + numbers + "'/>\n";
+  const std::pair<std::string, std::string_view> texts[] = {
+      {classic_scene("Group { children [ " + list + list + "] }"), "holds"}, {xml_scene(element + element), "hold"}};
+  constexpr std::size_t kBytesOfNumber = 2 * sizeof(double);  // a list that grows is there twice
+  for (const auto& [text, who] : texts) {
+    const std::size_t peak = peak_of([&, who = who] {
+      if (!says_too_many_numbers(text, who)) _exit(1);
+    });
+    expect_peak(peak, 2 * text.size() + kBytesOfNumber * kMaxDocumentNumbers + (std::size_t{64} << 20));
+  }
+}
+
+/// A million of each, in the time of a moment: what grows faster than its number would take hours.
+TEST(Attacks, AMillionOfEachTakesAMoment) {
+  constexpr std::size_t kMillion = 1'000'000;
+  constexpr double kSecondsOfAMoment = 60;
+  const std::string texts[] = {
+      classic_scene("Script {\n" + each(kMillion, [](const std::string& i) { return "field SFInt32 f" + i + " 1\n"; }) + "}"),
+      classic_scene("PROTO P [\n" + each(kMillion, [](const std::string& i) { return "field SFInt32 f" + i + " 1\n"; }) +
+                    "] { Group { } } P { }"),
+      classic_scene(each(kMillion, [](const std::string& i) { return "PROTO P" + i + " [ ] { Group { } }\n"; })),
+      classic_scene(each(kMillion, [](const std::string& i) { return "EXTERNPROTO P" + i + " [ ] \"p\"\n"; })),
+      classic_scene(each(kMillion, [](const std::string& i) { return "DEF N" + i + " Group { }\n"; }))};
+  for (const std::string& text : texts) {
+    const std::clock_t start = std::clock();
+    const auto built = build(text);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, kSecondsOfAMoment) << text.substr(0, 50);
+    EXPECT_LE(built->diagnostics.all().size(), 1U) << built->said().substr(0, 500);  // a limit may be told
+  }
 }
 
 TEST(Attacks, ListNoMoreMessagesThanAnyoneReads) {
