@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "compose/borrow_functions.h"
 #include "compose/castle_names.h"
 #include "compose/placed_unit.h"
 
@@ -31,8 +32,8 @@ struct Linked {
   const GlobalOutline* global = nullptr;
 };
 
-/// Outputs of one name, by owner.
-using Writers = std::map<std::size_t, const GlobalOutline*>;
+/// Outputs of one name, by owner: several where an owner contradicts itself.
+using Writers = std::multimap<std::size_t, const GlobalOutline*>;
 
 class NameBinder {
  public:
@@ -41,11 +42,9 @@ class NameBinder {
 
  private:
   void index_unit(const PlacedUnit& unit);
-  std::string_view name_of(std::size_t owner, std::string_view name) const;
   Link link(const PlacedUnit& unit, const GlobalOutline& global) const;
   void compare_stages(const PlacedUnit& unit);
   void bind_unit(const PlacedUnit& unit);
-  void borrow_name(const PlacedUnit& unit, std::string_view name, std::size_t other);
   void step_aside(const PlacedUnit& unit, std::string_view name);
   void bind_function(const PlacedUnit& unit, const FunctionOutline& prototype);
   Writers writers(ShaderStage reader, std::string_view name) const;
@@ -62,6 +61,7 @@ class NameBinder {
   std::map<std::pair<ShaderStage, std::string_view>, std::vector<Definition>> functions_;
   std::array<std::map<std::string_view, Writers>, kStageCount> outputs_;  // of each stage: by name
   std::map<std::tuple<Link, std::size_t, std::string_view>, Linked> linked_;
+  std::vector<Borrowing> borrowings_;
   std::vector<std::pair<const PlacedUnit*, std::string_view>> idle_;  // functions that are declared, and no more
   std::set<std::string_view> written_;                                // castle_ names that the vertex stage uses
   std::set<std::string> listed_;
@@ -96,14 +96,9 @@ void NameBinder::index_unit(const PlacedUnit& unit) {
   }
   for (const GlobalOutline& global : unit.code->outline.globals) {
     const bool written = global.storage == Storage::out && is_used(*unit.code, global.name, {global.name_begin});
-    if (written) outputs_[static_cast<std::size_t>(unit.stage)][global.name].try_emplace(unit.owner, &global);
+    if (written) outputs_[static_cast<std::size_t>(unit.stage)][global.name].emplace(unit.owner, &global);
   }
   if (unit.stage == ShaderStage::vertex) written_.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
-}
-
-bool same_parameters(const FunctionOutline& a, const FunctionOutline& b) {
-  return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(), b.parameters.end(),
-                    [](const Parameter& p, const Parameter& q) { return p.type == q.type && p.array == q.array; });
 }
 
 void NameBinder::report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin,
@@ -122,19 +117,13 @@ std::set<std::size_t> NameBinder::one_for_each_author(const std::set<std::size_t
   return kept;
 }
 
-/// What the owner's name is called once no two owners' names meet.
-std::string_view NameBinder::name_of(std::size_t owner, std::string_view name) const {
-  const Owner::Renames& renames = c_.owners[owner].renames;
-  const auto renamed = renames.find(name);
-  return renamed == renames.end() ? name : std::string_view(renamed->second);
-}
-
 /// What the vertex stage writes goes to the fragment stage where nothing stands between or plugc passes it on.
 Link NameBinder::link(const PlacedUnit& unit, const GlobalOutline& global) const {
   if (global.storage == Storage::uniform) return Link::uniform;
   if (unit.stage == ShaderStage::vertex) {
     if (global.storage != Storage::out) return Link::none;
-    return !c_.has_geometry || c_.passed.contains(name_of(unit.owner, global.name)) ? Link::into_fragment : Link::into_geometry;
+    return !c_.has_geometry || c_.passed.contains(c_.name_of(unit.owner, global.name)) ? Link::into_fragment
+                                                                                       : Link::into_geometry;
   }
   if (global.storage == Storage::in) return unit.stage == ShaderStage::geometry ? Link::into_geometry : Link::into_fragment;
   return unit.stage == ShaderStage::geometry && global.storage == Storage::out ? Link::into_fragment : Link::none;
@@ -158,12 +147,6 @@ void NameBinder::compare_stages(const PlacedUnit& unit) {
   }
 }
 
-/// In this stage the name is the other owner's; what the owner means by it in another stage stays its own.
-void NameBinder::borrow_name(const PlacedUnit& unit, std::string_view name, std::size_t other) {
-  auto& borrowed = c_.owners[unit.owner].borrowed[static_cast<std::size_t>(unit.stage)];
-  borrowed.insert_or_assign(std::string(name), std::string(name_of(other, name)));
-}
-
 /// A function that nobody defines and nobody calls must not meet another owner's name either, unless an overload of it has
 /// been found there.
 void NameBinder::step_aside(const PlacedUnit& unit, std::string_view name) {
@@ -185,7 +168,8 @@ void NameBinder::bind_function(const PlacedUnit& unit, const FunctionOutline& pr
                               prototype.name, candidates.size()));
   }
   if (candidates.size() == 1) {
-    return borrow_name(unit, prototype.name, *candidates.begin());
+    borrowings_.push_back({static_cast<std::size_t>(&unit - c_.units.data()), &prototype, *candidates.begin()});
+    return;
   }
   if (macros_define_functions(*unit.code)) return;
   if (!is_used(*unit.code, prototype.name, {prototype.name_begin})) {
@@ -206,7 +190,7 @@ Writers NameBinder::writers(ShaderStage reader, std::string_view name) const {
   };
   Writers all = written_in(ShaderStage::vertex);
   if (reader == ShaderStage::geometry || !c_.has_geometry) return all;
-  std::erase_if(all, [&](const auto& writer) { return !c_.passed.contains(name_of(writer.first, name)); });
+  std::erase_if(all, [&](const auto& writer) { return !c_.passed.contains(c_.name_of(writer.first, name)); });
   all.merge(written_in(ShaderStage::geometry));
   return all;
 }
@@ -239,7 +223,7 @@ void NameBinder::bind_input(const PlacedUnit& unit, const GlobalOutline& input) 
   if (all.contains(unit.owner) || !is_used(*unit.code, input.name, {input.name_begin})) return;
   const std::set<std::size_t> candidates = one_for_each_author(owners_that_fit(all, input, unit.stage));
   if (candidates.size() == 1) {
-    return borrow_name(unit, read, *candidates.begin());
+    return borrow_name(c_, unit, read, *candidates.begin());
   }
   const std::string message = candidates.empty()
                                   ? unwritten_message(unit, input)
@@ -321,6 +305,7 @@ void NameBinder::run() {
   each_unit(false, &NameBinder::index_unit);
   each_unit(true, &NameBinder::compare_stages);
   each_unit(true, &NameBinder::bind_unit);
+  borrow_functions(c_, borrowings_);
   for (const auto& [unit, name] : idle_) step_aside(*unit, name);
   each_unit(true, &NameBinder::list_fields);
 }

@@ -14,9 +14,13 @@ namespace plugc {
 void Composition::mark_faulty(const PlacedUnit& unit) {
   const Owner& owner = owners[unit.owner];
   if (owner.kind == OwnerKind::shader) result.faulty_shader = true;
-  if (owner.kind != OwnerKind::effect) return;
-  auto& faulty = result.faulty_effects;
-  if (std::find(faulty.begin(), faulty.end(), owner.index) == faulty.end()) faulty.push_back(owner.index);
+  if (owner.kind == OwnerKind::effect && !is_faulty(unit)) result.faulty_effects.push_back(owner.index);
+}
+
+bool Composition::is_faulty(const PlacedUnit& unit) const {
+  const Owner& owner = owners[unit.owner];
+  const auto& faulty = result.faulty_effects;
+  return owner.kind == OwnerKind::effect && std::find(faulty.begin(), faulty.end(), owner.index) != faulty.end();
 }
 
 namespace {
@@ -39,6 +43,12 @@ std::string Composition::final_name(const PlacedUnit& unit, std::string_view nam
   if (passed.empty() || unit.stage != ShaderStage::fragment) return found;
   const auto behind = passed.find(found);
   return behind == passed.end() ? found : behind->second;
+}
+
+std::string_view Composition::name_of(std::size_t owner, std::string_view name) const {
+  const Owner::Renames& renames = owners[owner].renames;
+  const auto renamed = renames.find(name);
+  return renamed == renames.end() ? name : std::string_view(renamed->second);
 }
 
 PlacedUnit make_placed_unit(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, PlugScope scope) {

@@ -17,8 +17,8 @@ namespace plugc {
 /// Whose names a unit's names are.
 enum class OwnerKind : std::uint8_t { renderer, effect, shader };
 
-/// What a unit acts on: the whole shape, one light or one texture.
-enum class ScopeKind : std::uint8_t { shape, light, texture };
+/// What a unit acts on: the whole shape, one light, one texture or the fog.
+enum class ScopeKind : std::uint8_t { shape, light, texture, fog };
 struct PlugScope {
   ScopeKind kind = ScopeKind::shape;
   int number = -1;
@@ -50,9 +50,12 @@ struct PlacedUnit {
   PlugScope scope;
   std::vector<std::size_t> guards;           ///< Its code runs while these are on; into ComposedProgram::switches.
   bool of_shadow = false;                    ///< Without it the shape merely shows no shadow of its light.
+  bool offers_to_scope_alone = false;        ///< What acts on the whole shape does not reach its markers.
   bool dropped = false;                      ///< A piece of the renderer whose plugs the base shader lacks.
   std::vector<std::string> function_names;   ///< Final names of plug functions by function; others are empty.
   std::vector<std::vector<PlugCall>> calls;  ///< By marker.
+  /// Prototypes that get a body which calls another owner's function: by function, with the final name of the other's.
+  std::vector<std::pair<std::size_t, std::string>> forwards;
   std::vector<std::string> passes;  ///< Varyings that this unit hands through the geometry stage, as its owner names them.
 };
 
@@ -114,8 +117,11 @@ struct Composition {
   /// A name as the composed text has it; in a light's own effect `castle_LightSource...` is that light's, and in fragment code
   /// a varying that has passed a geometry stage has the name that it has there.
   std::string final_name(const PlacedUnit& unit, std::string_view name) const;
+  /// What the owner's name is called once no two owners' names meet.
+  std::string_view name_of(std::size_t owner, std::string_view name) const;
   /// Leaves the unit's effect (or the ComposedShader) out of the program.
   void mark_faulty(const PlacedUnit& unit);
+  bool is_faulty(const PlacedUnit& unit) const;
 };
 
 /// The place of a name that stands at `begin` in the unit's text.

@@ -134,7 +134,7 @@ void HeadWriter::write_declaration(const std::string& name) {
   const std::string_view word = storage == Storage::uniform ? "uniform" : is_out ? "out" : "in";
   head_.append_generated(
       fmt::format("{} {} {}{};\n", word, meaning->type, name, is_array ? fmt::format("[{}]", c_.geometry.input_size) : ""));
-  declared_.globals[name] = {fmt::format("{} {}", static_cast<int>(storage), meaning->type), {}};
+  declared_.globals[name] = {fmt::format("{} {}", static_cast<int>(storage), meaning->type), {}, 0};
 }
 
 /// The switches that some call of the stage stands under.

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "compose/geometry_layout.h"
+#include "compose/prototype_text.h"
 #include "compose/struct_text.h"
 #include "glsl/edit.h"
 #include "glsl/scan.h"
@@ -49,8 +50,8 @@ class UnitWriter {
   void write_markers();
   void write_calls(const MarkerOutline& marker, const std::vector<PlugCall>& calls);
   void write_forward_declarations();
-  std::string prototype(const PlugCall& call) const;
   std::string condition(const PlugCall& call) const;
+  void write_forwards();
   Span call_origin(const PlugCall& call) const;
   void find_members();
   void write_names();
@@ -118,7 +119,7 @@ bool UnitWriter::is_repeated(const GlobalOutline& global) {
   const bool has_value = global.storage != Storage::uniform && global.initializer_end > global.initializer_begin;
   if (has_value) text += " = " + token_line(code_, global.initializer_begin, global.initializer_end);
   const auto [found, added] = declared_.globals.try_emplace(final_name(global.name));
-  if (added) found->second = {std::move(text), name_span(code_, global.name, global.name_begin)};
+  if (added) found->second = {std::move(text), name_span(code_, global.name, global.name_begin), unit_.owner};
   if (!added && found->second.text != text)
     report_unequal(global.name, global.name_begin, fmt::format("{}{}", global.type, global.array), found->second);
   return !added;
@@ -126,6 +127,8 @@ bool UnitWriter::is_repeated(const GlobalOutline& global) {
 
 void UnitWriter::report_unequal(std::string_view name, std::uint32_t begin, std::string_view type,
                                 const Declared::Declaration& before) {
+  // what another effect has borrowed fits what this one writes: it contradicts itself, which has been said
+  if (before.owner != unit_.owner && c_.is_faulty(unit_)) return;
   std::vector<RelatedPlace> related;
   if (before.span.valid()) related.push_back({before.span, "the other declaration"});
   c_.diagnostics.report(DiagnosticId::unequal_declarations, name_span(code_, name, begin),
@@ -169,7 +172,7 @@ void UnitWriter::remove_struct(const StructOutline& type) {
   const std::string name = final_name(type.name);
   const auto [found, added] = declared_.structs.try_emplace(name);
   if (added) {
-    found->second = {struct_text(code_, type), name_span(code_, type.name, type.name_begin)};
+    found->second = {struct_text(code_, type), name_span(code_, type.name, type.name_begin), unit_.owner};
     return;
   }
   if (found->second.text != struct_text(code_, type)) report_unequal(type.name, type.name_begin, "struct", found->second);
@@ -251,19 +254,6 @@ void UnitWriter::write_markers() {
   }
 }
 
-/// Parameter types only, whose names another part's macros cannot touch: `void PLUG_light_scale_2(inout float, const in vec3);`
-std::string UnitWriter::prototype(const PlugCall& call) const {
-  const PlacedUnit& unit = c_.units[call.unit];
-  constexpr std::string_view kDirections[] = {"in", "out", "inout"};
-  std::string parameters;
-  for (const Parameter& parameter : unit.code->outline.functions[call.function].parameters) {
-    parameters += fmt::format("{}{}{} {}{}", parameters.empty() ? "" : ", ", parameter.is_const ? "const " : "",
-                              kDirections[static_cast<std::size_t>(parameter.direction)], c_.final_name(unit, parameter.type),
-                              parameter.array);
-  }
-  return fmt::format("void {}({});\n", unit.function_names[call.function], parameters);
-}
-
 /// In front of the first function; types that the prototypes name are declared by then.
 void UnitWriter::write_forward_declarations() {
   const Outline& outline = code_.outline;
@@ -277,8 +267,16 @@ void UnitWriter::write_forward_declarations() {
   for (const std::vector<PlugCall>& calls : unit_.calls) {
     for (const PlugCall& call : calls) {
       if (written.emplace(call.unit, call.function).second)
-        edits_.push_back({place, place, prototype(call), call_origin(call)});
+        edits_.push_back({place, place, plug_prototype(c_, call), call_origin(call)});
     }
+  }
+}
+
+void UnitWriter::write_forwards() {
+  for (const auto& [index, target] : unit_.forwards) {
+    const FunctionOutline& function = code_.outline.functions[index];
+    edits_.push_back({function.end, function.end, forwarding_text(c_, unit_, function, target),
+                      name_span(code_, function.name, function.name_begin)});
   }
 }
 
@@ -380,6 +378,7 @@ MappedText UnitWriter::write() {
   remove_repeated();
   write_markers();
   write_forward_declarations();
+  write_forwards();
   write_names();
   end_macros();
   MappedText text = apply_edits(code_.text, std::move(edits_));

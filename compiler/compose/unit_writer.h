@@ -14,6 +14,7 @@ struct Declared {
   struct Declaration {
     std::string text;  ///< Without qualifiers that may differ, to compare.
     Span span;
+    std::size_t owner = 0;
   };
   std::unordered_map<std::string, Declaration> globals;
   std::unordered_map<std::string, Declaration> structs;

@@ -84,7 +84,9 @@ class Generator {
     if (slip(2)) effect.language = "CG";
     effect.ignore_missing = random_.percent(20);
     names_ = Names();
-    for (bool& sought : sought_) sought = random_.percent(20);
+    for (auto& overloads : sought_) {
+      for (bool& sought : overloads) sought = random_.percent(20);
+    }
     if (random_.percent(30)) {
       for (std::size_t i = names_.words.size() - 1; i > 0; --i) std::swap(names_.words[i], names_.words[random_.below(i + 1)]);
     }
@@ -143,7 +145,7 @@ class Generator {
     for (const FunctionModel& function : part.functions) {
       if (uses_own_light(function)) return false;
       const bool clashes = !function.defined || defines(effect, function) || !is_one_of(function.name, helpers);
-      if (!function.is_plug && (clashes || sought_[function.name == helpers[1] ? 1 : 0])) return false;
+      if (!function.is_plug && (clashes || sought(function.name == helpers[1] ? 1 : 0, function))) return false;
     }
     return std::all_of(part.globals.begin(), part.globals.end(), [&](const GlobalModel& global) {
       const GlobalModel* known = find_global(effect, global.name);
@@ -212,6 +214,10 @@ class Generator {
 
   // ---- functions
 
+  bool sought(std::size_t number, const FunctionModel& helper) const {
+    return sought_[number][helper.parameters[0].type == "vec3" ? 1 : 0];
+  }
+
   void add_helpers(const EffectModel& effect, PartModel& part) {
     for (const std::size_t number : {0U, 1U}) {
       if (!random_.percent(25)) continue;
@@ -220,7 +226,7 @@ class Generator {
       helper.name = names_.helper(number);
       helper.returned = "float";
       helper.parameters = {{"", random_.percent(75) ? "float" : "vec3"}};
-      helper.defined = !sought_[number] && !defines(effect, helper);
+      helper.defined = !sought(number, helper) && !defines(effect, helper);
       if (helper.defined) add_statements(part, helper, false);
       part.functions.push_back(helper);
     }
@@ -316,9 +322,9 @@ class Generator {
   Random random_;
   const bool mistakes_;
   EffectSet set_;
-  std::vector<Place> places_;     // where each effect was first put
-  Names names_;                   // of the effect in the making
-  std::array<bool, 2> sought_{};  // whether it seeks the helper in other effects, or defines it
+  std::vector<Place> places_;                    // where each effect was first put
+  Names names_;                                  // of the effect in the making
+  std::array<std::array<bool, 2>, 2> sought_{};  // by helper and overload: it is sought in other effects, not defined
   int next_tag_ = 100;
 };
 

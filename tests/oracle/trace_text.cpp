@@ -6,6 +6,7 @@
 #include <charconv>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -87,26 +88,29 @@ class TextTracer {
     }
   }
 
-  void walk(const FunctionOutline& function, const std::string& light) {
+  /// `for_author`: an author's code has called it, perhaps by way of a function that only calls on.
+  void walk(const FunctionOutline& function, const std::string& light, bool for_author = false) {
     const std::size_t first = token_at(function.body_begin);
     const int tag = tag_of(stage_, first);
+    const FunctionOutline* outer = std::exchange(walked_, &function);
     for (std::size_t i = first; i < stage_.tokens.tokens.size() && stage_.tokens.tokens[i].begin < function.body_end; ++i) {
       if (stage_.tokens.tokens[i].kind != TokenKind::identifier || stage_.at(i - 1) == ".") continue;
       if (stage_.at(i + 1) == "(" && functions_.contains(stage_.at(i))) {
-        follow(i, tag, light);
+        follow(i, tag != 0 || for_author, light);
       } else if (tag != 0) {
         note_use(i);
       }
     }
+    walked_ = outer;
   }
 
-  void follow(std::size_t call, int caller, const std::string& light) {
+  void follow(std::size_t call, bool by_author, const std::string& light) {
     const FunctionOutline* meant = overload(call);
     if (meant == nullptr) return;
     const int tag = tag_of(stage_, token_at(meant->body_begin));
-    if (tag != 0) trace_.push_back(fmt::format("f{}{}", tag, caller == 0 ? place_of(call, light) : ""));
+    if (tag != 0) trace_.push_back(fmt::format("f{}{}", tag, by_author ? "" : place_of(call, light)));
     constexpr std::string_view kLight = "light_source_";
-    walk(*meant, meant->name.starts_with(kLight) ? std::string(meant->name.substr(kLight.size())) : light);
+    walk(*meant, meant->name.starts_with(kLight) ? std::string(meant->name.substr(kLight.size())) : light, by_author);
   }
 
   /// Where the renderer calls an author: in which light's function, with which texture.
@@ -150,6 +154,9 @@ class TextTracer {
     if (stage_.at(begin).starts_with("castle_texture_")) return "sampler2D";
     if (stage_.at(end - 1) == "rgb") return "vec3";
     if (end - begin != 1) return "";
+    for (const Parameter& parameter : walked_->parameters) {
+      if (parameter.name == stage_.at(begin)) return parameter.type;
+    }
     return stage_.at(begin) == "t" ? "float" : stage_.at(begin) == "v" ? "vec3" : stage_.at(begin) == "w" ? "vec4" : "";
   }
 
@@ -216,6 +223,7 @@ class TextTracer {
   std::map<std::string_view, const StructOutline*> structs_;
   std::map<std::string, const FieldUniform*> fields_;
   std::map<std::string, std::set<int>> writers_;
+  const FunctionOutline* walked_ = nullptr;
   Trace trace_;
 };
 
