@@ -82,8 +82,9 @@ void check_fields(const SceneEffect& effect, const EffectCode& code, Diagnostics
                          {{uniform.span, "the uniform is declared here"}});
     }
   }
+  const bool was_read = !effect.parts.empty() && (!code.parts.empty() || !code.has_problems);
   for (const ShaderField& field : effect.fields) {
-    if (uniforms.contains(field.name) || code.parts.empty()) continue;
+    if (uniforms.contains(field.name) || !was_read) continue;
     diagnostics.report(DiagnosticId::field_without_uniform, field.span,
                        fmt::format("no part of `{}` declares a uniform `{}`", effect.label, field.name));
   }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "compose/plug_signature.h"
 #include "compose/varying_passthrough.h"
 #include "glsl/scan.h"
 
@@ -60,6 +61,12 @@ bool asks_for_essl(const ShaderSource& source) {
                      [&](std::string_view name) { return source.text.text().find(name) != std::string::npos; });
 }
 
+/// An empty part must leave no trace.
+bool has_no_code(const EffectCode::Part& part) {
+  const auto is_blank = [](const std::shared_ptr<const CodeUnit>& unit) { return !unit || unit->tokens.tokens.empty(); };
+  return is_blank(part.in_vertex) && is_blank(part.in_fragment) && is_blank(part.in_geometry);
+}
+
 void sort_unique(std::vector<std::string>& names) {
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -70,6 +77,7 @@ void note_names(const CodeUnit& unit, EffectCode& code) {
   for (const FunctionOutline& function : unit.outline.functions) {
     const std::string_view plug = plug_name(function.name);
     if (!plug.empty() && function.is_definition()) code.plugs.emplace_back(plug);
+    code.moves_vertices = code.moves_vertices || moves_vertices(function);
   }
 }
 
@@ -135,11 +143,12 @@ EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics)
           std::pair(part.in_geometry, ShaderStage::geometry)}) {
       if (!unit) continue;
       report_problems(*unit, diagnostics);
+      code.has_problems = code.has_problems || !unit->outline.problems.empty() || unit->tokens.too_many;
       if (source.stage != PartStage::light) check_passthrough_markers(*unit, stage, diagnostics);
       too_large = too_large || unit->tokens.too_many;
       if (!too_large) note_names(*unit, code);
     }
-    if (too_large) continue;
+    if (too_large || has_no_code(part)) continue;
     if (part.behind_geometry) note_names(*part.behind_geometry, code);
     code.has_geometry_main = code.has_geometry_main || (part.in_geometry && find_main(*part.in_geometry) != nullptr);
     code.parts.push_back(std::move(part));

@@ -62,6 +62,8 @@ struct EffectCode {
   std::vector<Part> parts;                ///< Each EffectPart node once, however often it is USEd.
   std::vector<std::string> plugs;         ///< That some part fills: sorted, each once.
   std::vector<std::string> castle_names;  ///< That some part uses: sorted, each once.
+  bool has_problems = false;              ///< Some part cannot be taken apart, which has been reported at its place.
+  bool moves_vertices = false;            ///< Some part does, in a plug of the vertex stage.
   bool has_geometry_main = false;         ///< Some GEOMETRY part has a `main`.
 
   bool fills(std::string_view plug) const;        ///< Some part defines PLUG_plug.

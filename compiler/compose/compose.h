@@ -52,6 +52,7 @@ struct ComposedProgram {
   std::vector<SwitchUniform> switches;
   std::vector<std::string> plugs_filled;  ///< Plugs that effects filled, sorted.
   std::vector<std::string> plugs_empty;   ///< The other plugs that the program offers, sorted.
+  bool moves_vertices = false;            ///< Some effect moves vertices, so that the mesh's bounds say nothing.
   std::vector<int> faulty_effects;        ///< Effects that cannot stay in (reported); compose again without them.
   bool faulty_shader = false;             ///< The ComposedShader cannot be used (reported).
 };

@@ -14,8 +14,12 @@ bool is_sampler(std::string_view type) {
   return type.find("sampler") != std::string_view::npos;
 }
 
+bool is_strengthened(const Parameter& parameter, const PlugParameter& plug) {
+  return parameter.direction != Direction::in && plug.direction != "inout";
+}
+
 bool parameter_fits(const Parameter& parameter, const PlugParameter& plug, bool per_light_color) {
-  const bool direction_fits = parameter.direction == Direction::in || plug.direction == "inout";
+  const bool direction_fits = !is_strengthened(parameter, plug) || plug.keeps_changes;
   const bool type_fits = parameter.type == plug.type || (plug.type == "samplerT" && is_sampler(parameter.type)) ||
                          (per_light_color && plug.type == "vec4" && parameter.type == "vec3");
   return direction_fits && type_fits && parameter.array.empty();
@@ -66,14 +70,34 @@ bool is_per_light_color(std::string_view plug) {
   return plug == "material_light_ambient" || plug == "material_light_specular";
 }
 
-bool fits_plug(const FunctionOutline& function, const PlugInfo& plug) {
+const Parameter* strengthened_parameter(const FunctionOutline& function, const PlugInfo& plug) {
+  for (std::size_t i = 0; i < std::min(function.parameters.size(), plug.parameters.size()); ++i) {
+    if (is_strengthened(function.parameters[i], plug.parameters[i])) return &function.parameters[i];
+  }
+  return nullptr;
+}
+
+bool moves_vertices(const FunctionOutline& function) {
+  const std::string_view name = plug_name(function.name);
+  if (!function.is_definition() || function.parameters.empty()) return false;
+  const bool changes = function.parameters.front().direction != Direction::in;
+  return name == "vertex_object_space_change" ||
+         (changes && (name == "vertex_object_space" || name == "vertex_eye_space" || name == "vertex_eye_space_extended"));
+}
+
+PlugFit fit_plug(const FunctionOutline& function, const PlugInfo& plug) {
   std::vector<PlugParameter> wanted = plug.parameters;
   const bool sampler_left_out = plug.name == "texture_color" && function.parameters.size() + 1 == wanted.size();
   if (sampler_left_out) std::erase_if(wanted, [](const PlugParameter& parameter) { return parameter.type == "samplerT"; });
-  return std::equal(function.parameters.begin(), function.parameters.end(), wanted.begin(), wanted.end(),
-                    [&](const Parameter& given, const PlugParameter& want) {
-                      return parameter_fits(given, want, is_per_light_color(plug.name));
-                    });
+  const auto& given = function.parameters;
+  const bool view_added = plug.name == "add_light" && given.size() == wanted.size() + 1 && given.back().type == "vec3";
+  if (view_added) wanted.push_back({true, "in", "vec3", "view"});  // as physical materials pass it
+  const bool fits = std::equal(function.parameters.begin(), function.parameters.end(), wanted.begin(), wanted.end(),
+                               [&](const Parameter& each, const PlugParameter& want) {
+                                 return parameter_fits(each, want, is_per_light_color(plug.name));
+                               });
+  if (!fits) return PlugFit::no;
+  return strengthened_parameter(function, plug) == nullptr ? PlugFit::yes : PlugFit::strengthened;
 }
 
 std::vector<std::string_view> split_arguments(std::string_view arguments) {

@@ -10,8 +10,16 @@
 
 namespace plugc {
 
-/// Whether the function's parameters fit the table's (thesis, appendix A: qualifiers may be weakened).
-bool fits_plug(const FunctionOutline& function, const PlugInfo& plug);
+/// How a function's parameters suit the table's: qualifiers may be weakened (thesis, appendix A), and where the template
+/// reads the variable afterwards an `inout` in place of a `const in` has a meaning too.
+enum class PlugFit : unsigned char { no, strengthened, yes };
+PlugFit fit_plug(const FunctionOutline& function, const PlugInfo& plug);
+
+/// The first parameter that is changed though the plug passes it as const.
+const Parameter* strengthened_parameter(const FunctionOutline& function, const PlugInfo& plug);
+
+/// Whether a definition of this function moves the vertices of its shape.
+bool moves_vertices(const FunctionOutline& function);
 
 /// The arguments of a marker, split at the commas outside of brackets, without blanks around them.
 std::vector<std::string_view> split_arguments(std::string_view arguments);

@@ -41,6 +41,15 @@ PlugStage read_stage(std::string_view text) {
   return text == "F" ? PlugStage::fragment : PlugStage::lighting;
 }
 
+void note_kept_changes(std::string_view names, PlugInfo& plug) {
+  for (const std::string_view name : split(names, ' ')) {
+    const auto named = [&](const PlugParameter& parameter) { return parameter.name == name; };
+    const auto found = std::find_if(plug.parameters.begin(), plug.parameters.end(), named);
+    PLUGC_CHECK(found != plug.parameters.end(), "kept changes are those of parameters");
+    found->keeps_changes = true;
+  }
+}
+
 std::vector<PlugInfo> read_table() {
   std::vector<PlugInfo> table;
   for (const std::string_view line : split(stdlib_text("plugs.tsv"), '\n')) {
@@ -50,6 +59,7 @@ std::vector<PlugInfo> read_table() {
     if (!plug.signature.empty()) {
       for (const std::string_view parameter : split(plug.signature, ',')) plug.parameters.push_back(read_parameter(parameter));
     }
+    if (columns.size() > 5) note_kept_changes(columns[5], plug);
     table.push_back(std::move(plug));
   }
   return table;

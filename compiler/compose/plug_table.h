@@ -16,6 +16,7 @@ struct PlugParameter {
   std::string_view direction;  ///< `in` or `inout`.
   std::string_view type;       ///< `samplerT` stands for the sampler of the texture.
   std::string_view name;
+  bool keeps_changes = false;  ///< Const, but what a function makes of it counts: the template reads the variable afterwards.
 };
 
 struct PlugInfo {

@@ -21,8 +21,8 @@ struct MarkerPlace {
   std::size_t marker = 0;
 };
 
-/// At a marker a function is called, or its overload is, or the texture is of another kind, or its author erred.
-enum class CallResult { called, for_overload, other_texture, misfit };
+/// At a marker a function is called, or its overload is, or the texture or material is of another kind, or its author erred.
+enum class CallResult { called, for_overload, other_kind, misfit };
 
 class PlugResolver {
  public:
@@ -42,6 +42,7 @@ class PlugResolver {
   void report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
   const MarkerPlace* find_offer(std::string_view name, ShaderStage stage, bool in_stage) const;
   void report_unknown(const PlacedUnit& unit, const FunctionOutline& function);
+  void report_strengthened(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
   void report_misfit(const PlacedUnit& unit, const FunctionOutline& function, const MarkerPlace& place);
   void give_name(PlacedUnit& unit, std::size_t function);
   void report(DiagnosticId id, const PlacedUnit& unit, const FunctionOutline& function, std::string message,
@@ -100,6 +101,7 @@ std::vector<MarkerPlace> PlugResolver::find_markers(std::size_t index, std::size
     const bool of_effect = c_.owners[other.owner].kind == OwnerKind::effect;
     const bool in_itself = place.unit == index && marker_at(place).enclosing_function == f;
     if (in_itself || other.dropped || (of_effect && place.unit >= index)) continue;
+    if (!limited && other.offers_to_scope_alone) continue;
     if (limited && other.scope != (own_scope ? unit.scope : PlugScope())) continue;
     found.push_back(place);
   }
@@ -159,7 +161,7 @@ CallResult PlugResolver::call_at(std::size_t index, std::size_t f, const MarkerP
         return other.name == function.name && other.is_definition() && fits_marker(other, target, marker, overloaded);
       });
   if (for_another) return CallResult::for_overload;
-  if (marker.name == "texture_color") return CallResult::other_texture;
+  if (marker.name == "texture_color" || marker.name == "add_light") return CallResult::other_kind;
   report_misfit(unit, function, place);
   return CallResult::misfit;
 }
@@ -213,6 +215,15 @@ void PlugResolver::report_unreached(const PlacedUnit& unit, const FunctionOutlin
   plug == nullptr ? report_unknown(unit, function) : report_absent_or_wrong_stage(unit, function, *plug);
 }
 
+void PlugResolver::report_strengthened(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug) {
+  const Parameter& parameter = *strengthened_parameter(function, plug);
+  c_.diagnostics.report(
+      DiagnosticId::effect_strengthened_parameter, unit.code->span(parameter.begin, parameter.end),
+      fmt::format("plug `{}` passes this as `const in`; what is made of it counts here, but other programs "
+                  "may refuse it{}",
+                  plug.name, moves_vertices(function) ? "; use `vertex_object_space_change` to move vertices" : ""));
+}
+
 /// What can be said of an author's function without looking at each marker. A marker of the templates, or none, goes by the
 /// table.
 bool PlugResolver::is_sound(const PlacedUnit& unit, const FunctionOutline& function, const std::vector<MarkerPlace>& markers) {
@@ -231,7 +242,9 @@ bool PlugResolver::is_sound(const PlacedUnit& unit, const FunctionOutline& funct
   const bool by_table = markers.empty() || std::any_of(markers.begin(), markers.end(), [&](const MarkerPlace& place) {
                           return !c_.by_author(c_.units[place.unit]);
                         });
-  if (!by_table || fits_plug(function, *plug)) return true;
+  const PlugFit fit = fit_plug(function, *plug);
+  if (by_table && fit == PlugFit::strengthened) report_strengthened(unit, function, *plug);
+  if (!by_table || fit != PlugFit::no) return true;
   report(DiagnosticId::effect_wrong_signature, unit, function,
          fmt::format("`{}` does not fit its plug; declare `void PLUG_{}({})`", function.name, plug->name, plug->signature));
   return false;
@@ -265,6 +278,7 @@ void PlugResolver::resolve_function(std::size_t index, std::size_t f) {
     results.insert(call_at(index, f, markers[m]));
   if (!by_author || results.contains(CallResult::misfit)) return;
   if (results.contains(CallResult::called)) filled_.emplace(name);
+  if (results.contains(CallResult::called) && moves_vertices(function)) c_.result.moves_vertices = true;
   const bool of_use = results.contains(CallResult::called) || results.contains(CallResult::for_overload);
   if (!of_use && !c_.recipe.depth_only) report_unreached(unit, function);
 }

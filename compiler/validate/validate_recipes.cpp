@@ -56,6 +56,7 @@ class RecipeValidator {
   void report_messages(const Candidate& candidate, const Span& culprit) const;
   void report_left_out(const std::vector<int>& failing, int left_out) const;
   const SceneEffect& effect(int index) const { return input_.scene.effects[static_cast<std::size_t>(index)]; }
+  const EffectCode& code(int index) const { return input_.effects[static_cast<std::size_t>(index)]; }
 
   const ComposeInput& input_;
   Validator& validator_;
@@ -124,14 +125,15 @@ bool lies_in(const Span& span, const SceneEffect& effect) {
   });
 }
 
-/// Effects that glslang's messages point at, latest first.
+/// Effects whose code cannot be taken apart or that glslang's messages point at, latest first.
 std::vector<int> RecipeValidator::suspects(const Candidate& candidate) const {
   std::vector<int> found;
   for (const int index : all_effects(candidate.recipe)) {
     const auto& messages = candidate.result.messages;
-    const bool named = std::any_of(messages.begin(), messages.end(), [&](const ShaderMessage& message) {
-      return message.span.valid() && lies_in(message.span, effect(index));
-    });
+    const bool named =
+        code(index).has_problems || std::any_of(messages.begin(), messages.end(), [&](const ShaderMessage& message) {
+          return message.span.valid() && lies_in(message.span, effect(index));
+        });
     if (named) found.insert(found.begin(), index);
   }
   return found;
@@ -219,7 +221,8 @@ bool RecipeValidator::replace_shader(Candidate& candidate) {
 
 void RecipeValidator::leave_out(Candidate& candidate, const std::vector<int>& failing) {
   const int left_out = failing.front();
-  report_messages(candidate, effect(left_out).span);
+  // what glslang makes of code whose brackets do not match says nothing beyond that
+  if (!code(left_out).has_problems) report_messages(candidate, effect(left_out).span);
   report_left_out({failing.rbegin(), failing.rend()}, left_out);
   candidate = check(without_effect(candidate.recipe, left_out), candidate.target, diagnostics_);
 }

@@ -4,7 +4,8 @@
 // code, and only where that has no such marker the shape's. A marker of an effect serves the parts and effects that come
 // later. Calls stand in the order of the pieces, within a part in text order.
 // A plug function returns void, and its parameters have the types of the table; `inout` may be weakened to `in`, `const in` or
-// `out`, and const may be added to an `in` or dropped. An author's marker asks for as many arguments as it passes; of
+// `out`, and const may be added to an `in` or dropped. A `const in` that the template reads afterwards may be strengthened,
+// which is warned of. An author's marker asks for as many arguments as it passes; of
 // overloads, those are called whose types fit. A function that does not fit (one of the table, wherever it stands) makes its
 // effect faulty; one that merely reaches no marker does not: an unknown name, a name offered only later, a plug of another
 // stage, or a plug that this shape lacks.
@@ -38,12 +39,23 @@ bool fits_light_color(const FunctionModel& function, const PlugRow& row) {
   return either && function.parameters[0].type == "vec3";
 }
 
+bool is_strengthened(const ParameterModel& own, const ParameterModel& asked) {
+  return direction(own.qualifier) != "in" && asked.qualifier != "inout";
+}
+
+bool has_strengthened(const FunctionModel& function, const PlugRow& row) {
+  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+    if (is_strengthened(function.parameters[i], row.parameters[i])) return true;
+  }
+  return false;
+}
+
 bool fits_row(const FunctionModel& function, const PlugRow& row) {
   if (function.parameters.size() != row.parameters.size()) return false;
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const ParameterModel &own = function.parameters[i], &asked = row.parameters[i];
     if (!fits_type(own.type, asked.type) && !fits_light_color(function, row)) return false;
-    if (direction(own.qualifier) != "in" && asked.qualifier != "inout") return false;
+    if (is_strengthened(own, asked) && !row.keeps_changes[i]) return false;
   }
   return true;
 }
@@ -59,6 +71,7 @@ class PlugFiller {
     const PlugRow* row = find_row(function.name);
     if (row != nullptr && !row->replaced_by.empty()) complain("effect-deprecated-plug", false);
     if (row != nullptr && !fits_row(function, *row)) return complain("effect-wrong-signature", true);
+    if (row != nullptr && has_strengthened(function, *row)) complain("effect-strengthened-parameter", false);
     const std::vector<Marker*> reached = reached_markers();
     if (reached.empty()) return complain(why_unreached(row), false);
     const auto of_use = std::count_if(reached.begin(), reached.end(), [&](Marker* m) { return has_overload_for(*m); });

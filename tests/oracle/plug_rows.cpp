@@ -2,6 +2,7 @@
 
 #include "oracle/plug_rows.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "stdlib_plugs/stdlib_plugs.h"
@@ -30,8 +31,12 @@ std::vector<PlugRow> read_rows() {
   const std::vector<std::string> lines = split(std::string(stdlib_text("plugs.tsv")), '\n');
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string> columns = split(lines[i], '\t');
-    PlugRow row{columns[0], columns[1][0], {}, columns[3]};
-    for (const std::string& text : split(columns[2], ',')) row.parameters.push_back(parameter(text));
+    PlugRow row{columns[0], columns[1][0], {}, columns[3], {}};
+    const std::vector<std::string> kept = columns.size() > 5 ? split(columns[5], ' ') : std::vector<std::string>();
+    for (const std::string& text : split(columns[2], ',')) {
+      row.parameters.push_back(parameter(text));
+      row.keeps_changes.push_back(std::find(kept.begin(), kept.end(), text.substr(text.rfind(' ') + 1)) != kept.end());
+    }
     rows.push_back(row);
   }
   return rows;

@@ -14,6 +14,7 @@ struct PlugRow {
   char stage = 'F';  ///< V, G, F, or L: where the shape is lit.
   std::vector<ParameterModel> parameters;
   std::string replaced_by;
+  std::vector<bool> keeps_changes;  ///< By parameter: const, but what is made of it counts.
 };
 
 /// All rows, in the order of the file, which is the order of the calls.
