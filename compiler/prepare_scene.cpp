@@ -9,6 +9,7 @@
 #include "compose/check_fields.h"
 #include "image/load_images.h"
 #include "mesh/mesh.h"
+#include "mesh/tangents.h"
 
 namespace plugc {
 namespace {
@@ -22,6 +23,25 @@ void prepare_meshes(const NodeGraph& graph, SceneParts& parts, Diagnostics& diag
       if (auto mesh = make_mesh(graph, geometry, diagnostics)) found->second = std::make_shared<const Mesh>(std::move(*mesh));
     }
     parts.shapes[i].mesh = found->second;
+  }
+}
+
+/// Meshes with a normal map get tangents, each for the coordinates that the map is read with.
+void prepare_tangents(SceneParts& parts) {
+  std::map<std::pair<const Mesh*, std::size_t>, std::shared_ptr<const Mesh>> made;
+  for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
+    const auto& textures = parts.scene.shapes[i].textures;
+    const auto map = std::ranges::find(textures, TextureRole::normal, &TextureUse::role);
+    std::shared_ptr<const Mesh>& mesh = parts.shapes[i].mesh;
+    if (mesh == nullptr || map == textures.end() || mesh->tex_coords.empty()) continue;
+    const auto unit = std::min(static_cast<std::size_t>(map - textures.begin()), mesh->tex_coords.size() - 1);
+    const auto [found, added] = made.try_emplace({mesh.get(), unit}, nullptr);
+    if (added) {
+      auto with_tangents = std::make_shared<Mesh>(*mesh);
+      with_tangents->tangents = make_tangents(*mesh, mesh->tex_coords[unit]);
+      found->second = std::move(with_tangents);
+    }
+    mesh = found->second;
   }
 }
 
@@ -53,6 +73,7 @@ AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
     if (transparency.routed || transparency.values[0] > 0) return AlphaUse::blended;
   }
   for (const TextureUse& texture : shape.textures) {
+    if (texture.role != TextureRole::main) continue;
     use = std::max(use, alpha_use(*parts.images[static_cast<std::size_t>(texture.texture)]));
   }
   return use;
@@ -78,8 +99,14 @@ class RecipeList {
 ShapeFacts shape_facts(const PreparedScene& prepared, const SceneShape& shape, const Mesh& mesh, AlphaUse alpha) {
   const bool shader_has_geometry =
       shape.shader >= 0 && prepared.shaders[static_cast<std::size_t>(shape.shader)].has_geometry_main;
-  return {!mesh.normals.empty(),     !mesh.colors.empty(), mesh.solid,
-          alpha == AlphaUse::tested, primitive_of(mesh),   shader_has_geometry};
+  return {.has_normals = !mesh.normals.empty(),
+          .has_colors = !mesh.colors.empty(),
+          .solid = mesh.solid,
+          .alpha_test = alpha == AlphaUse::tested,
+          .primitive = primitive_of(mesh),
+          .has_fog_coords = !mesh.fog_coords.empty(),
+          .has_tangents = !mesh.tangents.empty(),
+          .shader_has_geometry = shader_has_geometry};
 }
 
 /// The programs of all states of a shape: first those with most in them, which others are reductions of.
@@ -125,6 +152,7 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& fil
   prepare_meshes(graph, parts, diagnostics);
   parts.images = load_images(graph, parts.scene, files, diagnostics);
   drop_missing_textures(parts.scene, parts.images);
+  prepare_tangents(parts);
   prepare_effect_code(parts.scene, prepared, diagnostics);
   prepare_recipes(prepared);
   return prepared;

@@ -142,6 +142,15 @@ Numbers matrix_numbers(const PackedBinding& binding, const UniformInputs& inputs
   }
 }
 
+/// In eye space units. A range of 0 means that there is no fog (X3D 4.1, 24.4.2): what is seen lies far in front of it.
+double visibility_range(const PackedBinding& binding, const UniformInputs& inputs) {
+  constexpr double kVeryFar = 1e30;
+  const double range = inputs.slots.number(binding.a(), 0);
+  if (!(range > 0)) return kVeryFar;
+  const int transform = static_cast<int>(binding.b()) - 1;
+  return range * average_scale(inputs.world.at(transform).matrix);
+}
+
 Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, const UniformInputs& inputs) {
   switch (binding.source()) {
     case PackedSource::slot:
@@ -152,6 +161,7 @@ Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, co
       return slot_numbers(binding.a(), inputs.slots.number(binding.b(), 1), wanted_size, inputs.slots);
     case PackedSource::color_and_transparency:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
+    case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
     case PackedSource::light_position:
     case PackedSource::light_spot_direction:
     case PackedSource::light_spot_cos_cutoff:

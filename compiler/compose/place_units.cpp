@@ -20,6 +20,7 @@ class Placer {
       : c_(composition), recipe_(composition.recipe), lighting_(recipe_.gouraud ? ShaderStage::vertex : ShaderStage::fragment) {
     c_.has_geometry = wants_geometry_stage(c_);
     for (const int effect : all_effects(recipe_)) note_used_names(c_.input.effects[static_cast<std::size_t>(effect)]);
+    if (recipe_.shader >= 0) note_used_names(c_.input.shaders[static_cast<std::size_t>(recipe_.shader)]);
   }
 
   void place();
@@ -33,19 +34,21 @@ class Placer {
   bool place_shader();
   void place_light(int number);
   void place_texture(int number);
+  void place_further_texture(int number);
   void place_effects(const std::vector<int>& effects, PlugScope scope);
   void place_code(const EffectCode& code, std::size_t owner, PlugScope scope);
   void place_wanted_coordinates();
+  void place_fog();
   void place_libraries();
   bool base_has_marker(std::string_view name) const;
-  bool effects_use(std::string_view castle_name) const { return used_names_.contains(castle_name); }
+  bool authors_use(std::string_view castle_name) const { return used_names_.contains(castle_name); }
   Features base_features() const;
   Features light_features(const LightRecipe& light) const;
 
   Composition& c_;
   const Recipe& recipe_;
   ShaderStage lighting_;
-  std::set<std::string_view> used_names_;  // castle_ names in the code of effects
+  std::set<std::string_view> used_names_;  // castle_ names in the code of effects and of the ComposedShader
   bool base_adds_lights_ = false;          // the base shader has the plug `add_light`, not only its older form
 };
 
@@ -93,16 +96,18 @@ void Placer::add_template(std::string_view name, ShaderStage stage, const Featur
 Features Placer::base_features() const {
   Features features;
   const std::pair<bool, std::string_view> all[] = {
-      {recipe_.lit, "LIT"},
+      {recipe_.lit && !recipe_.physical, "LIT"},
+      {recipe_.physical, "PHYSICAL"},
+      {recipe_.physical && recipe_.vertex_eye, "VIEW"},
       {!recipe_.lit, "UNLIT"},
       {recipe_.normals, "NORMALS"},
       {recipe_.two_sided, "TWO_SIDED"},
       {recipe_.color_per_vertex, "COLOR_PER_VERTEX"},
-      {recipe_.vertex_eye || (recipe_.depth_only && effects_use("castle_vertex_eye")), "VERTEX_EYE"},
+      {recipe_.vertex_eye || ((recipe_.depth_only || recipe_.shader >= 0) && authors_use("castle_vertex_eye")), "VERTEX_EYE"},
       {recipe_.ambient, "AMBIENT"},
       {recipe_.specular, "SPECULAR"},
       {recipe_.emissive, "EMISSIVE"},
-      {(recipe_.normals && !recipe_.gouraud && !recipe_.depth_only) || effects_use("castle_normal_eye"), "NORMAL_EYE"}};
+      {(recipe_.normals && !recipe_.gouraud && !recipe_.depth_only) || authors_use("castle_normal_eye"), "NORMAL_EYE"}};
   for (const auto& [set, name] : all) {
     if (set) features.insert(name);
   }
@@ -117,6 +122,8 @@ Features Placer::light_features(const LightRecipe& light) const {
                                                    {light.attenuation, "ATTENUATION"},
                                                    {light.radius, "RADIUS"},
                                                    {light.beam_width, "BEAM_WIDTH"},
+                                                   {recipe_.physical, "PHYSICAL"},
+                                                   {!recipe_.physical, "PHONG"},
                                                    {recipe_.specular, "SPECULAR"},
                                                    {!base_adds_lights_, "AS_CONTRIBUTION"}};
   for (const auto& [set, name] : all) {
@@ -132,7 +139,8 @@ bool Placer::base_has_marker(std::string_view name) const {
   });
 }
 
-/// A ComposedShader takes the place of the base shader when it has both stages.
+/// A ComposedShader takes the place of the base shader. One that has fragment code alone stands behind the base's vertex stage,
+/// as it stood behind the fixed functions once (thesis, chapter 3).
 bool Placer::place_shader() {
   if (recipe_.shader < 0 || c_.result.faulty_shader) return false;
   const auto index = static_cast<std::size_t>(recipe_.shader);
@@ -141,12 +149,13 @@ bool Placer::place_shader() {
     return std::any_of(code.parts.begin(), code.parts.end(),
                        [&](const EffectCode::Part& part) { return part.*member != nullptr; });
   };
-  if (!has(&EffectCode::Part::in_vertex) || !has(&EffectCode::Part::in_fragment)) {
+  if (!has(&EffectCode::Part::in_fragment)) {
     c_.diagnostics.report(DiagnosticId::shader_without_stage, c_.input.scene.shaders[index].span,
-                          "this `ComposedShader` needs a `VERTEX` and a `FRAGMENT` part; the base shader is used instead");
+                          "this `ComposedShader` needs a `FRAGMENT` part; the base shader is used instead");
     c_.result.faulty_shader = true;
     return false;
   }
+  if (!has(&EffectCode::Part::in_vertex)) add_template("phong.vert", ShaderStage::vertex, base_features(), {});
   c_.owners.push_back({OwnerKind::shader, recipe_.shader, {}, {}});
   place_code(code, c_.owners.size() - 1, {});
   return true;
@@ -173,12 +182,30 @@ void Placer::place_light(int number) {
   c_.units.back().of_shadow = true;
 }
 
+/// A texture beside the material's main ones.
+void Placer::place_further_texture(int number) {
+  const TextureRecipe& texture = recipe_.textures[static_cast<std::size_t>(number)];
+  if (texture.role == TextureRole::unused) return;
+  constexpr std::string_view kRoles[] = {"",         "AMBIENT",   "SPECULAR",           "SHININESS",
+                                         "EMISSIVE", "OCCLUSION", "METALLIC_ROUGHNESS", "NORMAL"};
+  const PlugScope scope{ScopeKind::texture, number};
+  Features features = {kRoles[static_cast<std::size_t>(texture.role)]};
+  if (recipe_.physical && texture.role == TextureRole::emissive) features.insert("LINEAR_LIGHT");
+  if (recipe_.two_sided) features.insert("TWO_SIDED");
+  add_template("texture.vert", ShaderStage::vertex, texture.matrix ? Features{"TEXTURE_MATRIX"} : Features{}, scope);
+  if (texture.role == TextureRole::normal) add_template("tangent.vert", ShaderStage::vertex, {}, scope);
+  add_template("surface.frag", ShaderStage::fragment, features, scope);
+  c_.units.back().offers_to_scope_alone = true;
+}
+
 void Placer::place_texture(int number) {
   const TextureRecipe& texture = recipe_.textures[static_cast<std::size_t>(number)];
+  if (texture.role != TextureRole::main) return place_further_texture(number);
   Features features;
   constexpr std::string_view kModes[] = {"MODE_MODULATE", "MODE_REPLACE", "MODE_ADD"};
   features.insert(kModes[static_cast<std::size_t>(texture.mode)]);
   if (number == 0) features.insert("FIRST_UNIT");
+  if (recipe_.physical) features.insert("LINEAR_LIGHT");
   add_template("texture.vert", ShaderStage::vertex, texture.matrix ? Features{"TEXTURE_MATRIX"} : Features{},
                {ScopeKind::texture, number});
   add_template("texture.frag", ShaderStage::fragment, features, {ScopeKind::texture, number});
@@ -187,11 +214,22 @@ void Placer::place_texture(int number) {
 /// Coordinates that effects read though the shape has no texture there (effects.md: a castle_ name that is used is fed).
 void Placer::place_wanted_coordinates() {
   constexpr int kMaxUnits = 8;
-  for (int unit = static_cast<int>(recipe_.textures.size()); unit < kMaxUnits; ++unit) {
-    if (effects_use("castle_TexCoord" + std::to_string(unit))) {
+  for (int unit = 0; unit < kMaxUnits; ++unit) {
+    const auto number = static_cast<std::size_t>(unit);
+    const bool is_there = number < recipe_.textures.size() && recipe_.textures[number].role != TextureRole::unused;
+    if (!is_there && authors_use("castle_TexCoord" + std::to_string(unit))) {
       add_template("texture.vert", ShaderStage::vertex, {}, {ScopeKind::texture, unit});
     }
   }
+}
+
+void Placer::place_fog() {
+  constexpr PlugScope kScope{ScopeKind::fog, 0};
+  const bool drawn = recipe_.fog != FogKind::none;
+  if (!drawn && !authors_use("castle_FogFragCoord")) return;
+  add_template("fog.vert", ShaderStage::vertex, recipe_.fog_coord ? Features{"FOG_COORD"} : Features{}, kScope);
+  if (!drawn) return;
+  add_template("fog.frag", ShaderStage::fragment, recipe_.fog == FogKind::linear ? Features{"LINEAR"} : Features{}, kScope);
 }
 
 /// `castle-shader:/EyeWorldSpace.glsl` once in each stage in which an effect that names it has code (the scene knows no other).
@@ -241,6 +279,7 @@ void Placer::place() {
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) place_light(static_cast<int>(i));
   for (std::size_t i = 0; i < recipe_.textures.size(); ++i) place_texture(static_cast<int>(i));
   place_wanted_coordinates();
+  place_fog();
   if (recipe_.alpha_test) add_template("alpha_test.frag", ShaderStage::fragment, {}, {});
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) {
     const LightRecipe& light = recipe_.lights[i];

@@ -45,14 +45,16 @@ class RecipeMaker {
     return facts_.shader_has_geometry || any_effect([](const EffectCode& code) { return code.has_geometry_main; });
   }
   bool has_effects() const {
-    return any_effect([](const EffectCode&) { return true; });
+    return any_effect([](const EffectCode& code) { return !code.parts.empty(); });
   }
 
   /// Whether the material's ambient colour may be other than black.
   bool has_ambient() const {
-    return (may_differ(material_.ambient, 0) && may_differ(material_.diffuse, 0)) || any_fills("material_ambient");
+    return (may_differ(material_.ambient, 0) && may_differ(material_.ambient_color, 0)) || any_fills("material_ambient");
   }
   LightRecipe light(int index) const;
+  TextureRecipe texture(const TextureUse& use, const Recipe& recipe) const;
+  bool is_read(TextureRole role, const Recipe& recipe) const;
   bool needs_vertex_eye(const Recipe& recipe) const;
 
   const Scene& scene_;
@@ -103,10 +105,36 @@ LightRecipe RecipeMaker::light(int index) const {
   return recipe;
 }
 
+/// Whether the texture's parameter can matter at all.
+bool RecipeMaker::is_read(TextureRole role, const Recipe& recipe) const {
+  switch (role) {
+    case TextureRole::main: return true;
+    case TextureRole::ambient: return recipe.ambient;
+    case TextureRole::specular:
+    case TextureRole::shininess: return recipe.specular;
+    case TextureRole::emissive: return recipe.emissive;
+    case TextureRole::occlusion: return recipe.lit;
+    case TextureRole::metallic_roughness: return recipe.physical;
+    case TextureRole::normal: return recipe.lit && facts_.has_tangents;
+    case TextureRole::unused: break;
+  }
+  return false;
+}
+
+TextureRecipe RecipeMaker::texture(const TextureUse& use, const Recipe& recipe) const {
+  TextureRecipe made;
+  made.role = is_read(use.role, recipe) ? use.role : TextureRole::unused;
+  if (made.role == TextureRole::unused) return made;
+  made.mode = use.mode;
+  made.matrix = use.transform >= 0;
+  made.effects = switched_on(scene_.textures[static_cast<std::size_t>(use.texture)].effects);
+  return made;
+}
+
 bool RecipeMaker::needs_vertex_eye(const Recipe& recipe) const {
-  const bool by_lights =
-      !recipe.gouraud && recipe.lit &&
-      (recipe.specular || std::any_of(recipe.lights.begin(), recipe.lights.end(),
+  const bool by_lights = !recipe.gouraud && recipe.lit &&
+                         (recipe.specular || (recipe.physical && !recipe.lights.empty()) ||
+                          std::any_of(recipe.lights.begin(), recipe.lights.end(),
                                       [](const LightRecipe& light) { return light.kind != LightKind::directional; }));
   constexpr std::string_view kReaders[] = {"fragment_eye_space", "lighting_apply", "material_light_diffuse", "add_light",
                                            "add_light_contribution"};
@@ -119,23 +147,29 @@ Recipe RecipeMaker::make() {
   Recipe recipe;
   recipe.shader = shape_.shader;
   recipe.effects = switched_on(shape_.effects);
-  recipe.lit = material_.lighting == Lighting::phong && facts_.has_normals;
-  recipe.gouraud = shape_.shading == Shading::gouraud && shape_.receives.empty() && shape_.shader < 0;
+  recipe.lit = material_.lighting != Lighting::unlit && facts_.has_normals;
+  recipe.physical = recipe.lit && material_.lighting == Lighting::physical && shape_.shader < 0;
+  const bool has_further_textures =
+      std::ranges::any_of(shape_.textures, [](const TextureUse& use) { return use.role != TextureRole::main; });
+  const bool per_fragment = !shape_.receives.empty() || shape_.shader >= 0 || recipe.physical || has_further_textures;
+  recipe.gouraud = shape_.shading == Shading::gouraud && !per_fragment;
   recipe.normals = facts_.has_normals && (recipe.lit || has_effects() || recipe.shader >= 0);
   recipe.two_sided = !facts_.solid && recipe.normals;
   recipe.color_per_vertex = facts_.has_colors;
   recipe.alpha_test = facts_.alpha_test;
   const bool shines = may_differ(material_.specular, 0) && may_differ(material_.shininess, -1);
-  recipe.specular = recipe.lit && (shines || any_fills("material_specular") || any_fills("material_light_specular"));
+  const bool phong = recipe.lit && !recipe.physical;
+  recipe.specular = phong && (shines || any_fills("material_specular") || any_fills("material_light_specular"));
   recipe.emissive = recipe.lit && (may_differ(material_.emissive, 0) || any_fills("material_emissive"));
   if (recipe.lit || recipe.shader >= 0) {
     for (const int index : shape_.lights) recipe.lights.push_back(light(index));
   }
-  recipe.ambient = recipe.lit && (has_ambient() || any_fills("material_light_ambient"));
+  recipe.ambient = phong && (has_ambient() || any_fills("material_light_ambient"));
   for (const TextureUse& use : shape_.textures) {
-    recipe.textures.push_back(
-        {use.mode, use.transform >= 0, switched_on(scene_.textures[static_cast<std::size_t>(use.texture)].effects)});
+    recipe.textures.push_back(texture(use, recipe));
   }
+  if (shape_.fog >= 0) recipe.fog = scene_.fogs[static_cast<std::size_t>(shape_.fog)].kind;
+  recipe.fog_coord = facts_.has_fog_coords;
   recipe.vertex_eye = needs_vertex_eye(recipe);
   if (has_geometry_shader()) recipe.primitive = facts_.primitive;
   recipe.guarded.assign(switched_.effects_guarded.begin(), switched_.effects_guarded.end());
@@ -160,9 +194,13 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
   const auto code = [&](int effect) -> const EffectCode& { return codes[static_cast<std::size_t>(effect)]; };
   const bool has_geometry =
       std::any_of(recipe.effects.begin(), recipe.effects.end(), [&](int effect) { return code(effect).has_geometry_main; });
-  const bool moves = has_geometry || std::any_of(recipe.effects.begin(), recipe.effects.end(),
-                                                 [&](int effect) { return code(effect).fills("vertex_object_space_change"); });
-  for (const int effect : recipe.effects) {  // those that move nothing may still define what the movers call
+  std::vector<int> effects;  // a texture's effect that moves vertices moves those of the shape
+  for (const TextureRecipe& texture : recipe.textures)
+    effects.insert(effects.end(), texture.effects.begin(), texture.effects.end());
+  effects.insert(effects.end(), recipe.effects.begin(), recipe.effects.end());
+  const bool moves =
+      has_geometry || std::any_of(effects.begin(), effects.end(), [&](int effect) { return code(effect).moves_vertices; });
+  for (const int effect : effects) {  // those that move nothing may still define what the movers call
     const auto& parts = code(effect).parts;
     const bool of_use = std::any_of(parts.begin(), parts.end(), [&](const auto& part) {
       return part.stage == PartStage::vertex || (has_geometry && part.stage == PartStage::geometry);
@@ -179,11 +217,15 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
 std::string to_text(const Recipe& recipe, const Scene& scene) {
   std::string text = recipe.depth_only ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
   const std::pair<bool, std::string_view> flags[] = {{!recipe.depth_only && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
+                                                     {recipe.physical, " physical"},
                                                      {recipe.specular, " specular"},
                                                      {recipe.emissive, " emissive"},
                                                      {recipe.two_sided, " two_sided"},
                                                      {recipe.color_per_vertex, " color_per_vertex"},
                                                      {recipe.alpha_test, " alpha_test"},
+                                                     {recipe.fog == FogKind::linear, " linear_fog"},
+                                                     {recipe.fog == FogKind::exponential, " exponential_fog"},
+                                                     {recipe.fog != FogKind::none && recipe.fog_coord, " fog_coord"},
                                                      {recipe.primitive == Primitive::points, " points"},
                                                      {recipe.primitive == Primitive::lines, " lines"}};
   for (const auto& [set, word] : flags) {
@@ -207,7 +249,14 @@ std::string to_text(const Recipe& recipe, const Scene& scene) {
     append_effects(text, light.effects, scene);
   }
   constexpr std::string_view kModes[] = {"modulate", "replace", "add"};
+  constexpr std::string_view kRoles[] = {
+      "", "ambient", "specular", "shininess", "emissive", "occlusion", "metallic_roughness", "normal", "unused"};
   for (const TextureRecipe& texture : recipe.textures) {
+    if (texture.role != TextureRole::main) {
+      text += fmt::format("; texture {}{}", kRoles[static_cast<std::size_t>(texture.role)], texture.matrix ? " matrix" : "");
+      append_effects(text, texture.effects, scene);
+      continue;
+    }
     text += fmt::format("; texture {}{}", kModes[static_cast<std::size_t>(texture.mode)], texture.matrix ? " matrix" : "");
     append_effects(text, texture.effects, scene);
   }

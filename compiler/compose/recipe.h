@@ -28,6 +28,7 @@ struct LightRecipe {
 };
 
 struct TextureRecipe {
+  TextureRole role = TextureRole::main;
   TextureMode mode = TextureMode::modulate;
   bool matrix = false;
   std::vector<int> effects;
@@ -41,12 +42,15 @@ struct Recipe {
   bool depth_only = false;  ///< The program of a shadow pass.
   bool gouraud = false;
   bool lit = false;
-  bool normals = false;  ///< The mesh has normals and something reads them.
+  bool physical = false;  ///< Lit as a PhysicalMaterial; its light is added up linearly and encoded for the screen at the end.
+  bool normals = false;   ///< The mesh has normals and something reads them.
   bool two_sided = false;
   bool color_per_vertex = false;
   bool alpha_test = false;
   bool ambient = false, specular = false, emissive = false;
-  bool vertex_eye = false;                ///< Lighting or an effect reads the eye-space position per fragment.
+  bool vertex_eye = false;  ///< Lighting or an effect reads the eye-space position per fragment.
+  FogKind fog = FogKind::none;
+  bool fog_coord = false;                 ///< The mesh says how far each vertex lies in the fog.
   Primitive primitive = Primitive::none;  ///< Where a geometry shader takes it; else no program depends on it.
   int shader = -1;                        ///< A ComposedShader in place of the base shader.
   std::vector<LightRecipe> lights;        ///< Number N of a light is its place here.
@@ -63,6 +67,8 @@ struct ShapeFacts {
   bool solid = true;
   bool alpha_test = false;  ///< Some texture's alpha is all or nothing, and the shape is not blended.
   Primitive primitive = Primitive::triangles;
+  bool has_fog_coords = false;
+  bool has_tangents = false;
   bool shader_has_geometry = false;  ///< Its ComposedShader has a geometry shader.
 };
 

@@ -150,6 +150,7 @@ std::optional<Mesh> mesh_of_faces(FaceSet faces, const GeometrySource& source) {
     mesh.positions.push_back(faces.coords[vertex.coord]);
     mesh.normals.push_back(faces.normals[vertex.normal]);
     if (!faces.colors.empty()) mesh.colors.push_back(faces.colors[vertex.color]);
+    if (!faces.fog_coords.empty()) mesh.fog_coords.push_back(faces.fog_coords[vertex.coord]);
   }
   fill_tex_coords(mesh, faces, triangulator.vertices());
   return mesh;

@@ -30,6 +30,7 @@ struct FaceSet {
   std::vector<glm::vec4> colors;                  ///< Empty: none.
   std::vector<std::vector<glm::vec4>> tex_units;  ///< An empty unit gets `default_tex`.
   std::vector<glm::vec4> default_tex;             ///< By coord; empty: the box texture.
+  std::vector<float> fog_coords;                  ///< By coord; empty: none.
   bool colors_have_alpha = false;
 
   float crease_angle = 0;         ///< For generated normals; pi smooths everything.

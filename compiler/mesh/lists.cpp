@@ -3,6 +3,7 @@
 
 #include "mesh/lists.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -65,6 +66,16 @@ ColorList read_colors(const GeometrySource& source) {
   if (source.graph.is(color, "Color")) return {padded<3>(source.graph.field(color, "color").numbers, glm::vec4(1)), false};
   if (source.graph.is(color, "ColorRGBA")) return {padded<4>(source.graph.field(color, "color").numbers, glm::vec4(1)), true};
   return {};
+}
+
+std::vector<float> read_fog_coords(const GeometrySource& source, std::size_t coord_count) {
+  const NodeId fog_coord = source.graph.child(source.node, "fogCoord");
+  if (!source.graph.is(fog_coord, "FogCoordinate")) return {};
+  const std::span<const double> depths = source.graph.field(fog_coord, "depth").numbers;
+  if (depths.empty()) return {};
+  std::vector<float> result(coord_count, static_cast<float>(depths.back()));
+  for (std::size_t i = 0; i < std::min(depths.size(), coord_count); ++i) result[i] = static_cast<float>(depths[i]);
+  return result;
 }
 
 std::vector<std::vector<glm::vec4>> read_tex_units(const GeometrySource& source) {

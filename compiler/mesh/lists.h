@@ -20,6 +20,10 @@ struct ColorList {
 };
 ColorList read_colors(const GeometrySource& source);
 
+/// The depths of the node's `fogCoord`, as many as it has coords (the last one stands for those that are missing); empty
+/// without one.
+std::vector<float> read_fog_coords(const GeometrySource& source, std::size_t coord_count);
+
 /// The node's `texCoord`, one list a unit. The list of a unit that is NULL or generated is empty.
 std::vector<std::vector<glm::vec4>> read_tex_units(const GeometrySource& source);
 

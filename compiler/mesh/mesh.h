@@ -21,6 +21,8 @@ struct Mesh {
   std::vector<std::vector<glm::vec4>> tex_coords;  ///< Per unit (s, t, r, q), as many as the node has or at least one default.
   std::vector<glm::vec4> colors;                   ///< Linear RGBA; empty without a Color node.
   bool colors_have_alpha = false;
+  std::vector<glm::vec4> tangents;     ///< For normal maps (tangents.h); empty where none was asked for.
+  std::vector<float> fog_coords;       ///< Depth in the fog; empty without a FogCoordinate node.
   std::vector<std::uint32_t> indices;  ///< Counter-clockwise triangles seen from the front.
   bool solid = true;                   ///< Back faces need not be drawn.
   bool ccw = true;                     ///< False: front faces are clockwise in `indices` (already as written).

@@ -178,8 +178,7 @@ bool has_known_bounds(const Recipe& recipe, const ValidRecipe& program) {
     return std::ranges::find(stages, ShaderStage::geometry, &StageText::stage) != stages.end();
   });
   if (has_geometry) return false;
-  const auto& filled = program.targets.front().composed.plugs_filled;
-  return recipe.shader < 0 && std::find(filled.begin(), filled.end(), "vertex_object_space_change") == filled.end();
+  return recipe.shader < 0 && !program.targets.front().composed.moves_vertices;
 }
 
 /// Where the programs and textures of a scene lie in the package.

@@ -67,6 +67,8 @@ std::unique_ptr<PackedMeshT> pack_mesh(const Mesh& mesh, std::uint32_t units) {
     for (std::size_t unit = coords.size(); unit < units; ++unit) writer.alias_stream(static_cast<std::uint8_t>(unit), last);
   }
   const std::uint32_t color = mesh.colors.empty() ? 0 : writer.add_stream(PackedSemantic::color, 0, 4);
+  const std::uint32_t tangent = mesh.tangents.empty() ? 0 : writer.add_stream(PackedSemantic::tangent, 0, 4);
+  const std::uint32_t fog = mesh.fog_coords.empty() ? 0 : writer.add_stream(PackedSemantic::fog_coord, 0, 1);
   writer.allocate();
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     writer.write(v, position, &mesh.positions[v].x, 3);
@@ -75,6 +77,8 @@ std::unique_ptr<PackedMeshT> pack_mesh(const Mesh& mesh, std::uint32_t units) {
       writer.write(v, coords[unit].first, &mesh.tex_coords[unit][v].x, coords[unit].second);
     }
     if (!mesh.colors.empty()) writer.write(v, color, &mesh.colors[v].x, 4);
+    if (!mesh.tangents.empty()) writer.write(v, tangent, &mesh.tangents[v].x, 4);
+    if (!mesh.fog_coords.empty()) writer.write(v, fog, &mesh.fog_coords[v], 1);
   }
   set_bounds(mesh, *packed);
   return packed;

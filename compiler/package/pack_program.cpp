@@ -43,6 +43,7 @@ std::unique_ptr<PackedAttributeT> pack_attribute(const ReflectedVariable& variab
   if (variable.name == "castle_Vertex") attribute->semantic = PackedSemantic::position;
   if (variable.name == "castle_Normal") attribute->semantic = PackedSemantic::normal;
   if (variable.name == "castle_ColorPerVertex") attribute->semantic = PackedSemantic::color;
+  if (variable.name == "castle_FogCoord") attribute->semantic = PackedSemantic::fog_coord;
   if (variable.name == "castle_Tangent") attribute->semantic = PackedSemantic::tangent;
   if (variable.name.starts_with("castle_MultiTexCoord")) {
     attribute->semantic = PackedSemantic::tex_coord;
@@ -92,6 +93,7 @@ class Binder {
   void bind_light(std::uint32_t index, PackedSource source, int number);
   void bind_shadow(std::uint32_t index, PackedSource source, int number);
   void bind_material(std::uint32_t index, CastleSource source);
+  void bind_fog(std::uint32_t index, CastleSource source);
   void bind_texture(std::uint32_t index, int texture);
   void add(std::uint32_t index, PackedSource source, std::uint32_t a = 0, std::uint32_t b = 0, float scale = 1) {
     bindings_.emplace_back(index, a, b, scale, source);
@@ -149,14 +151,26 @@ void Binder::bind_material(std::uint32_t index, CastleSource source) {
       return add(index, PackedSource::color_and_transparency, material_.diffuse, material_.transparency);
     case CastleSource::unlit_color:
       return add(index, PackedSource::color_and_transparency, material_.emissive, material_.transparency);
-    case CastleSource::material_ambient: return add(index, PackedSource::slot_product, material_.diffuse, material_.ambient);
+    case CastleSource::material_ambient:
+      return add(index, PackedSource::slot_product, material_.ambient_color, material_.ambient);
     case CastleSource::material_specular: return slot(material_.specular);
     case CastleSource::material_emissive: return slot(material_.emissive);
+    case CastleSource::material_metallic: return slot(material_.metallic);
+    case CastleSource::material_roughness: return slot(material_.roughness);
+    case CastleSource::material_occlusion_strength: return slot(material_.occlusion_strength);
+    case CastleSource::normal_scale: return slot(material_.normal_scale);
     case CastleSource::material_shininess:
       if (material_.shininess != kSceneNoSlot) add(index, PackedSource::slot_scaled, material_.shininess, 0, 128);
       return;
     default: return;
   }
+}
+
+void Binder::bind_fog(std::uint32_t index, CastleSource source) {
+  if (c_.shape.fog < 0) return;
+  const SceneFog& fog = c_.scene.fogs[static_cast<std::size_t>(c_.shape.fog)];
+  if (source == CastleSource::fog_color) return add(index, PackedSource::slot, fog.color);
+  add(index, PackedSource::fog_visibility_range, fog.visibility_range, static_cast<std::uint32_t>(fog.transform + 1));
 }
 
 void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
@@ -185,6 +199,8 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::shadow_intensity:
       if (const SceneLight* found = light(name.number)) add(index, PackedSource::slot, found->shadow_intensity);
       return;
+    case CastleSource::fog_color:
+    case CastleSource::fog_visibility_range: return bind_fog(index, name.source);
     case CastleSource::global_ambient: return add(index, PackedSource::slot, c_.scene.global_ambient);
     case CastleSource::texture: return bind_texture(index, use.texture);
     case CastleSource::texture_matrix:

@@ -290,6 +290,9 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
       return scene.slot(place, "a", binding.a(), 3) && scene.slot(place, "b", binding.b(), 1);
     case PackedSource::shadow_intensity: return scene.slot(place, "a", binding.a(), 1);
     case PackedSource::texture: return check.require_index(place, "texture", binding.a(), check.package.textures()->size());
+    case PackedSource::fog_visibility_range:
+      return scene.present_slot(place, "a", binding.a(), 1) &&
+             check.require_index(place, "transform", binding.b(), scene.scene.transforms()->size() + 1);
     case PackedSource::texture_matrix:
       return check.require_index(place, "texture transform", binding.a(), scene.scene.texture_transforms()->size());
     case PackedSource::shadow_map:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -22,11 +23,14 @@ constexpr double kDefaultSky = 26.0 / 255.0;
 /// The reference engine adds this much of each material's ambient colour (OpenGL's default light model), measured.
 constexpr double kGlobalAmbient = 0.2;
 
+/// A shape without a LocalFog above it is in the fog of the scene, which is known when all is visited.
+constexpr int kBoundFog = -2;
+
 /// How the walk treats a node.
-enum class Role : std::uint8_t { other, shape, switch_, lod, transform, group, inlined, effect, light };
+enum class Role : std::uint8_t { other, shape, switch_, lod, transform, group, inlined, effect, light, local_fog };
 
 Role role_of(const NodeInfo& node) {
-  static constexpr std::array<std::pair<std::string_view, Role>, 10> kRoles = {{{"Shape", Role::shape},
+  static constexpr std::array<std::pair<std::string_view, Role>, 11> kRoles = {{{"Shape", Role::shape},
                                                                                 {"Switch", Role::switch_},
                                                                                 {"LOD", Role::lod},
                                                                                 {"Transform", Role::transform},
@@ -35,7 +39,8 @@ Role role_of(const NodeInfo& node) {
                                                                                 {"Effect", Role::effect},
                                                                                 {"DirectionalLight", Role::light},
                                                                                 {"PointLight", Role::light},
-                                                                                {"SpotLight", Role::light}}};
+                                                                                {"SpotLight", Role::light},
+                                                                                {"LocalFog", Role::local_fog}}};
   for (const auto& [type, role] : kRoles) {
     if (is_a(node, type)) return role;
   }
@@ -54,7 +59,10 @@ class SceneWalk {
     context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
     if (!has_background_)
       context_.scene.background_color = context_.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
-    for (SceneShape& shape : context_.scene.shapes) add_global_lights(shape);
+    for (SceneShape& shape : context_.scene.shapes) {
+      add_global_lights(shape);
+      if (shape.fog == kBoundFog) shape.fog = bound_fog_.value_or(-1);
+    }
     finish_lights(context_, receives_);
   }
 
@@ -78,6 +86,7 @@ class SceneWalk {
   const NodeGraph& graph_;
   NodeId navigation_info_;
   bool has_background_ = false;
+  std::optional<int> bound_fog_;
   std::vector<int> global_lights_;
   std::vector<std::vector<NodeId>> receives_;  // per shape: lights that its Appearance names
 
@@ -85,6 +94,7 @@ class SceneWalk {
   int transform_ = -1;
   std::vector<int> effects_;  // from the outermost in
   std::vector<int> lights_;   // not global
+  int fog_ = kBoundFog;       // the nearest LocalFog; -1: one that lets everything through
 
   std::unordered_map<const NodeInfo*, Role> roles_;
   std::uint32_t visited_ = 0;
@@ -118,6 +128,7 @@ Role SceneWalk::role(NodeId node) {
 
 void SceneWalk::visit_list(std::span<const NodeId> nodes) {
   const std::size_t effects = effects_.size(), lights = lights_.size();
+  const int fog = fog_;
   for (const NodeId node : nodes) {
     if (node.valid()) act_on_siblings(node);
   }
@@ -126,6 +137,7 @@ void SceneWalk::visit_list(std::span<const NodeId> nodes) {
   }
   effects_.resize(effects);
   lights_.resize(lights);
+  fog_ = fog;
 }
 
 void SceneWalk::act_on_siblings(NodeId node) {
@@ -135,6 +147,8 @@ void SceneWalk::act_on_siblings(NodeId node) {
     const bool off_for_good = !graph_.boolean(node, "on") && !context_.slots.may_change(node, "on");
     if (off_for_good) return;
     (graph_.boolean(node, "global") ? global_lights_ : lights_).push_back(add_light(context_, node, transform_));
+  } else if (role(node) == Role::local_fog && graph_.boolean(node, "enabled")) {
+    fog_ = add_fog(context_, node, transform_);
   }
 }
 
@@ -169,7 +183,8 @@ void SceneWalk::visit(NodeId node) {
       break;
     case Role::other: visit_bindable(node); break;
     case Role::effect:
-    case Role::light: break;  // they acted on their siblings
+    case Role::light:
+    case Role::local_fog: break;  // they acted on their siblings
   }
   --depth_;
 }
@@ -227,6 +242,7 @@ void SceneWalk::visit_shape(NodeId node) {
   shape.name = graph_[node].def.empty() ? std::string(graph_[geometry].info->name) : std::string(graph_[node].def);
   shape.transform = transform_;
   shape.lights = lights_;
+  shape.fog = fog_;
   shape.shading = read_shading(context_, node);
   const NodeId appearance = graph_.child(node, "appearance");
   read_appearance(context_, appearance, shape);
@@ -261,7 +277,9 @@ void SceneWalk::visit_bindable(NodeId node) {
     context_.scene.background_color = context_.slots.slot(node, "skyColor");
   } else if ((graph_.is(node, "NavigationInfo") || graph_.is(node, "KambiNavigationInfo")) && !navigation_info_.valid()) {
     navigation_info_ = node;
-  } else if (graph_.is(node, "X3DFogObject") || graph_.is(node, "ScreenEffect")) {
+  } else if (graph_.is(node, "Fog")) {
+    if (!bound_fog_) bound_fog_ = add_fog(context_, node, transform_);  // the first is bound (X3D 4.1, 7.2.2)
+  } else if (graph_.is(node, "ScreenEffect")) {
     context_.diagnostics.report(DiagnosticId::not_drawn, graph_[node].type_span,
                                 fmt::format("a `{}` is not drawn yet", graph_[node].info->name));
   }

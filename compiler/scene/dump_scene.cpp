@@ -8,6 +8,7 @@ namespace plugc {
 namespace {
 
 constexpr std::string_view kLightKinds[] = {"directional", "point", "spot"};
+constexpr std::string_view kFogKinds[] = {"none", "linear", "exponential"};
 constexpr std::string_view kPartStages[] = {"VERTEX", "GEOMETRY", "FRAGMENT", "LIGHT"};
 
 std::string numbers(const std::vector<double>& values) {
@@ -56,11 +57,16 @@ std::string dump_scene(const Scene& scene) {
                         light.label, light.shadow_map >= 0 ? fmt::format(" shadow map {}", light.shadow_map) : "",
                         light.transform, indices(light.effects));
   }
+  for (std::size_t i = 0; i < scene.fogs.size(); ++i) {
+    const SceneFog& fog = scene.fogs[i];
+    text += fmt::format("fog {} {} transform {}\n", i, kFogKinds[static_cast<std::size_t>(fog.kind)], fog.transform);
+  }
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const SceneShape& shape = scene.shapes[i];
-    text += fmt::format("shape {} {} transform {} lights {} receives {} textures {} effects {}{}\n", i, shape.name,
+    text += fmt::format("shape {} {} transform {} lights {} receives {} textures {} effects {}{}{}\n", i, shape.name,
                         shape.transform, indices(shape.lights), indices(shape.receives), shape.textures.size(),
-                        indices(shape.effects), shape.shader >= 0 ? fmt::format(" shader {}", shape.shader) : "");
+                        indices(shape.effects), shape.shader >= 0 ? fmt::format(" shader {}", shape.shader) : "",
+                        shape.fog >= 0 ? fmt::format(" fog {}", shape.fog) : "");
   }
   return text;
 }

@@ -91,12 +91,27 @@ struct SceneTextureTransform {
   std::uint32_t translation = kSceneNoSlot, rotation = kSceneNoSlot, scale = kSceneNoSlot, center = kSceneNoSlot;
 };
 
-/// One texture as a shape's material uses it.
+/// What a material does with a texture (X3D 4.1, 12.4). The main ones make the diffuse, base or emissive colour; each other
+/// multiplies the parameter that it is named after, or bends the surface (`normal`).
+enum class TextureRole : std::uint8_t {
+  main,
+  ambient,
+  specular,
+  shininess,
+  emissive,
+  occlusion,
+  metallic_roughness,
+  normal,
+  unused  ///< Keeps its number and has no code.
+};
+
+/// One texture as a shape's material uses it. Its number is its place in the shape's list.
 struct TextureUse {
   int texture = -1;
   TextureMode mode = TextureMode::modulate;
   int transform = -1;  ///< Into texture_transforms.
   int unit = 0;        ///< Texture coordinate unit of the geometry.
+  TextureRole role = TextureRole::main;
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };
@@ -127,12 +142,24 @@ struct SceneShadowMap {
   std::uint32_t angle = kSceneNoSlot, rectangle = kSceneNoSlot, location = kSceneNoSlot;
 };
 
-enum class Lighting : std::uint8_t { unlit, phong };
+enum class Lighting : std::uint8_t { unlit, phong, physical };
 
 struct SceneMaterial {
   Lighting lighting = Lighting::unlit;
-  std::uint32_t diffuse = kSceneNoSlot, ambient = kSceneNoSlot;  ///< `ambient` is ambientIntensity.
+  std::uint32_t diffuse = kSceneNoSlot;                                ///< Or baseColor.
+  std::uint32_t ambient_color = kSceneNoSlot, ambient = kSceneNoSlot;  ///< diffuseColor and ambientIntensity, which scales it.
+  std::uint32_t metallic = kSceneNoSlot, roughness = kSceneNoSlot;
+  std::uint32_t normal_scale = kSceneNoSlot, occlusion_strength = kSceneNoSlot;
   std::uint32_t specular = kSceneNoSlot, emissive = kSceneNoSlot, shininess = kSceneNoSlot, transparency = kSceneNoSlot;
+};
+
+/// X3D 4.1, clause 24: how colours change into the fog's with their distance.
+enum class FogKind : std::uint8_t { none, linear, exponential };
+
+struct SceneFog {
+  FogKind kind = FogKind::linear;
+  int transform = -1;  ///< In whose units the visibility range is.
+  std::uint32_t color = kSceneNoSlot, visibility_range = kSceneNoSlot;
 };
 
 enum class BlendFactor : std::uint8_t {
@@ -170,6 +197,7 @@ struct SceneShape {
   std::vector<int> receives;  ///< Lights whose shadow this shape shows.
   std::vector<int> effects;   ///< Of the Appearance, then of the groups from the outermost in.
   int shader = -1;            ///< A ComposedShader.
+  int fog = -1;
   Shading shading = Shading::phong;
   bool casts_shadow = true;
   bool has_blend_mode = false;
@@ -194,6 +222,7 @@ struct Scene {
   std::vector<SceneLight> lights;  ///< In the order that effects number them by (effects.md): headlight, directional, others.
   std::vector<SceneShadowMap> shadow_maps;
   std::vector<SceneMaterial> materials;
+  std::vector<SceneFog> fogs;
   std::vector<SceneShape> shapes;
   std::vector<SceneViewpoint> viewpoints;
   std::vector<std::string> known_dynamic;  ///< Of SceneOptions::dynamic: what names a node of this scene.

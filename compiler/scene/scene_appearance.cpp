@@ -116,14 +116,6 @@ int texture_transform_index(SceneContext& context, NodeId node) {
   return found->second;
 }
 
-/// The transform of one texture unit: TextureTransform serves the first unit, MultiTextureTransform each its own.
-int unit_transform(SceneContext& context, NodeId transform, std::size_t unit) {
-  const NodeGraph& graph = context.graph;
-  if (!graph.is(transform, "MultiTextureTransform")) return unit == 0 ? texture_transform_index(context, transform) : -1;
-  const auto list = graph.children(transform, "textureTransform");
-  return unit < list.size() ? texture_transform_index(context, list[unit]) : -1;
-}
-
 void read_textures(SceneContext& context, NodeId texture, NodeId transform, SceneShape& shape) {
   const NodeGraph& graph = context.graph;
   const bool multi = graph.is(texture, "MultiTexture");
@@ -139,29 +131,57 @@ void read_textures(SceneContext& context, NodeId texture, NodeId transform, Scen
 
 /// The field of a material that the main texture multiplies (X3D 4.1, clause 12.4).
 NodeId material_texture(const NodeGraph& graph, NodeId material) {
-  if (graph.is(material, "Material")) return graph.child(material, "diffuseTexture");
+  if (graph.is(material, "Material") || graph.is(material, "CommonSurfaceShader"))
+    return graph.child(material, "diffuseTexture");
   if (graph.is(material, "UnlitMaterial")) return graph.child(material, "emissiveTexture");
   if (graph.is(material, "PhysicalMaterial")) return graph.child(material, "baseTexture");
   return {};
 }
 
+/// Of a CommonSurfaceShader, which is a Material under other names (its maps that X3D has none for are not drawn).
+SceneMaterial read_surface_shader(SceneContext& context, NodeId node) {
+  SlotTable& slots = context.slots;
+  SceneMaterial material;
+  material.lighting = Lighting::phong;
+  material.diffuse = slots.slot(node, "diffuseFactor");
+  material.ambient_color = slots.slot(node, "ambientFactor");
+  material.ambient = slots.constant(SlotType::float_, {1});
+  material.specular = slots.slot(node, "specularFactor");
+  material.emissive = slots.slot(node, "emissiveFactor");
+  material.shininess = slots.slot(node, "shininessFactor");
+  material.normal_scale = slots.constant(SlotType::float_, {1});
+  material.transparency = slots.constant(SlotType::float_, {1 - context.graph.number(node, "alphaFactor")});
+  return material;
+}
+
+/// What the further textures of Material and PhysicalMaterial are scaled by; a TwoSidedMaterial has none.
+void read_surface(SceneContext& context, NodeId node, SceneMaterial& material) {
+  if (context.graph.is(node, "TwoSidedMaterial")) return;
+  material.normal_scale = context.slots.slot(node, "normalScale");
+  material.occlusion_strength = context.slots.slot(node, "occlusionStrength");
+}
+
 SceneMaterial read_material(SceneContext& context, NodeId node) {
+  if (context.graph.is(node, "CommonSurfaceShader")) return read_surface_shader(context, node);
   SlotTable& slots = context.slots;
   SceneMaterial material;
   material.transparency = slots.slot(node, "transparency");
-  if (context.graph.is(node, "Material")) {
+  if (context.graph.is(node, "Material") || context.graph.is(node, "TwoSidedMaterial")) {
     material.lighting = Lighting::phong;
     material.diffuse = slots.slot(node, "diffuseColor");
+    material.ambient_color = material.diffuse;
     material.ambient = slots.slot(node, "ambientIntensity");
     material.specular = slots.slot(node, "specularColor");
     material.emissive = slots.slot(node, "emissiveColor");
     material.shininess = slots.slot(node, "shininess");
+    read_surface(context, node, material);
   } else if (context.graph.is(node, "PhysicalMaterial")) {
-    context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span,
-                               "a `PhysicalMaterial` is drawn as a matt `Material` of its baseColor");
-    material.lighting = Lighting::phong;
+    material.lighting = Lighting::physical;
     material.diffuse = slots.slot(node, "baseColor");
     material.emissive = slots.slot(node, "emissiveColor");
+    material.metallic = slots.slot(node, "metallic");
+    material.roughness = slots.slot(node, "roughness");
+    read_surface(context, node, material);
   } else {
     material.emissive = slots.slot(node, "emissiveColor");
   }
@@ -169,8 +189,10 @@ SceneMaterial read_material(SceneContext& context, NodeId node) {
 }
 
 int material_index(SceneContext& context, NodeId node) {
-  const NodeGraph& graph = context.graph;
-  if (!graph.is(node, "Material") && !graph.is(node, "UnlitMaterial") && !graph.is(node, "PhysicalMaterial")) return -1;
+  constexpr std::string_view kTypes[] = {"Material", "TwoSidedMaterial", "UnlitMaterial", "PhysicalMaterial",
+                                         "CommonSurfaceShader"};
+  if (std::none_of(std::begin(kTypes), std::end(kTypes), [&](std::string_view type) { return context.graph.is(node, type); }))
+    return -1;
   const auto [found, added] = context.materials.try_emplace(node, static_cast<int>(context.scene.materials.size()));
   if (added) context.scene.materials.push_back(read_material(context, node));
   return found->second;
@@ -195,6 +217,24 @@ BlendFactor read_factor(SceneContext& context, NodeId blend, std::string_view fi
   const std::string_view name = context.graph.string(blend, field);
   const auto found = std::find(kNames.begin(), kNames.end(), name);
   return found == kNames.end() ? fallback : static_cast<BlendFactor>(found - kNames.begin());
+}
+
+/// The material, in whose place a CommonSurfaceShader stands where the first shader is one.
+NodeId appearance_material(const NodeGraph& graph, NodeId appearance) {
+  const auto shaders = graph.children(appearance, "shaders");
+  const bool replaced = !shaders.empty() && graph.is(shaders.front(), "CommonSurfaceShader");
+  return replaced ? shaders.front() : graph.child(appearance, "material");
+}
+
+/// Back faces are drawn with the front's material.
+void note_back_material(SceneContext& context, NodeId appearance, NodeId material) {
+  const NodeGraph& graph = context.graph;
+  const bool two_sided = graph.is(material, "TwoSidedMaterial") && graph.boolean(material, "separateBackColor");
+  const NodeId back = graph.child(appearance, "backMaterial");
+  if (!two_sided && !back.valid()) return;
+  context.diagnostics.report(DiagnosticId::not_drawn,
+                             two_sided ? graph.field_span(material, "separateBackColor") : graph[back].type_span,
+                             "back faces are drawn with the material of the front");
 }
 
 }  // namespace
@@ -235,6 +275,14 @@ int shader_index(SceneContext& context, NodeId node) {
   return index = static_cast<int>(context.scene.shaders.size() - 1);
 }
 
+/// The transform of one texture unit: TextureTransform serves the first unit, MultiTextureTransform each its own.
+int unit_transform(SceneContext& context, NodeId transform, std::size_t unit) {
+  const NodeGraph& graph = context.graph;
+  if (!graph.is(transform, "MultiTextureTransform")) return unit == 0 ? texture_transform_index(context, transform) : -1;
+  const auto list = graph.children(transform, "textureTransform");
+  return unit < list.size() ? texture_transform_index(context, list[unit]) : -1;
+}
+
 int texture_index(SceneContext& context, NodeId node) {
   if (!node.valid()) return -1;
   if (const auto found = context.textures.find(node); found != context.textures.end()) return found->second;
@@ -257,11 +305,13 @@ int texture_index(SceneContext& context, NodeId node) {
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape) {
   const NodeGraph& graph = context.graph;
   if (!graph.is(appearance, "Appearance")) return;
-  const NodeId material = graph.child(appearance, "material");
+  const NodeId material = appearance_material(graph, appearance);
   shape.material = material_index(context, material);
+  note_back_material(context, appearance, material);
   const NodeId own_texture = material_texture(graph, material);
   read_textures(context, own_texture.valid() ? own_texture : graph.child(appearance, "texture"),
                 graph.child(appearance, "textureTransform"), shape);
+  read_material_textures(context, material, graph.child(appearance, "textureTransform"), shape);
   shape.effects = effect_list(context, appearance);
   for (const NodeId shader : graph.children(appearance, "shaders")) {
     shape.shader = shader_index(context, shader);

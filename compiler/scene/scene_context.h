@@ -41,9 +41,18 @@ int effect_index(SceneContext& context, NodeId effect);
 std::vector<int> effect_list(SceneContext& context, NodeId owner);
 int shader_index(SceneContext& context, NodeId shader);
 int texture_index(SceneContext& context, NodeId texture);
+/// The transform of a unit's coordinates in a TextureTransform or MultiTextureTransform; -1 for none.
+int unit_transform(SceneContext& context, NodeId transform, std::size_t unit);
+/// The unit of a geometry's coordinates that a material's `...TextureMapping` names (X3D 4.1, 12.4.2); the first without one.
+int coordinate_unit(const NodeGraph& graph, NodeId geometry, std::string_view mapping);
+/// Adds the material's textures beside its main ones.
+void read_material_textures(SceneContext& context, NodeId material, NodeId transform, SceneShape& shape);
 
 /// Fills what the Appearance says: material, textures, effects, shader, blending.
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape);
+
+/// A Fog or LocalFog where it stands; -1 when its visibilityRange says that there is none.
+int add_fog(SceneContext& context, NodeId fog, int transform);
 
 /// A light where it stands; its index in context.scene.lights.
 int add_light(SceneContext& context, NodeId light, int transform);

@@ -6,7 +6,7 @@
 namespace plugc::gl {
 namespace {
 
-constexpr GLint kFirstTexCoord = 4, kFirstCustom = 12;
+constexpr GLint kFirstTexCoord = 4, kFirstCustom = 12, kFogCoord = 15;
 
 GLenum shader_type(PackedStageKind kind) {
   switch (kind) {
@@ -71,6 +71,7 @@ GLint attribute_location(PackedSemantic semantic, unsigned unit) {
     case PackedSemantic::color: return 2;
     case PackedSemantic::tangent: return 3;
     case PackedSemantic::tex_coord: return unit < kTexCoordUnits ? kFirstTexCoord + static_cast<GLint>(unit) : -1;
+    case PackedSemantic::fog_coord: return kFogCoord;
     case PackedSemantic::custom: return unit < kCustomAttributes ? kFirstCustom + static_cast<GLint>(unit) : -1;
   }
   return -1;

@@ -13,7 +13,7 @@
 namespace plugc::gl {
 
 inline constexpr unsigned kTexCoordUnits = 8;     ///< Texture coordinates that a program can take.
-inline constexpr unsigned kCustomAttributes = 4;  ///< Author's attributes.
+inline constexpr unsigned kCustomAttributes = 3;  ///< Author's attributes.
 
 /// The location of an attribute, the same in every program so that one vertex array serves them all:
 /// position 0, normal 1, color 2, tangent 3, texture coordinates 4 to 11, custom 12 to 15. -1: none left.

@@ -38,7 +38,12 @@ struct MaterialInfo
 
 /* PLUG-DECLARATIONS */
 
+#ifdef PHYSICAL
+void PLUG_add_light(inout vec4 color, const in vec4 vertex_eye, const in vec3 normal_eye, const in MaterialInfo material,
+  const in vec3 view)
+#else
 void light_source_N(inout vec4 color, const in vec4 vertex_eye, const in vec3 normal_eye, const in MaterialInfo material)
+#endif
 {
 #ifdef POSITIONAL
   vec3 light_dir = castle_LightSourceNPosition - vertex_eye.xyz;
@@ -69,6 +74,9 @@ void light_source_N(inout vec4 color, const in vec4 vertex_eye, const in vec3 no
                      castle_LightSourceNAttenuation.z * light_distance * light_distance, 1.0);
 #endif
 
+#ifdef PHYSICAL
+  color.rgb += castle_LightSourceNColor * reflected_share(material, normal_eye, light_dir, view) * light_scale;
+#else
   vec4 diffuse = vec4(material.diffuse_alpha.rgb * castle_LightSourceNColor, material.diffuse_alpha.a);
   /* PLUG: material_light_diffuse (diffuse, vertex_eye, normal_eye) */
   float diffuse_factor = max(dot(normal_eye, light_dir), 0.0);
@@ -88,8 +96,10 @@ void light_source_N(inout vec4 color, const in vec4 vertex_eye, const in vec3 no
   }
 #endif
   color.rgb += contribution * light_scale;
+#endif
 }
 
+#ifdef PHONG
 #ifdef AS_CONTRIBUTION
 void PLUG_add_light_contribution(inout vec4 color, const in vec4 vertex_eye, const in vec3 normal_eye,
   in float material_shininess, in vec4 color_per_vertex)
@@ -108,4 +118,5 @@ void PLUG_add_light(inout vec4 color, const in vec4 vertex_eye, const in vec3 no
 {
   light_source_N(color, vertex_eye, normal_eye, material);
 }
+#endif
 #endif

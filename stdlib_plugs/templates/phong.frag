@@ -32,6 +32,24 @@ struct MaterialInfo
   float shininess;
 };
 #endif
+#ifdef PHYSICAL
+uniform vec4 castle_MaterialBaseAlpha;
+uniform float castle_MaterialMetallic;
+uniform float castle_MaterialRoughness;
+#ifdef EMISSIVE
+uniform vec3 castle_MaterialEmissive;
+#endif
+
+struct MaterialInfo
+{
+  float perceptualRoughness;
+  vec3 reflectance0;  // what is mirrored of light that comes straight from above, and (reflectance90) from the horizon
+  float alphaRoughness;
+  vec3 diffuseColor;
+  vec3 reflectance90;
+  vec3 specularColor;
+};
+#endif
 #ifdef UNLIT
 uniform vec4 castle_UnlitColor;
 #endif
@@ -87,6 +105,65 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
   return result;
 }
 #endif
+#ifdef PHYSICAL
+#ifdef VIEW
+
+// The share of a light's colour that goes on to the viewer: glTF 2.0, appendix B.3 (X3D 4.1, 12.2.7): Lambert's diffuse
+// reflection below a surface of mirroring facets, distributed as by Trowbridge and Reitz, shading each other as by Smith.
+vec3 reflected_share(const in MaterialInfo material, const in vec3 normal_eye, const in vec3 light_dir, const in vec3 view)
+{
+  const float kPi = 3.14159265;
+  float n_l = dot(normal_eye, light_dir);
+  if (n_l <= 0.0)
+    return vec3(0.0);
+  vec3 half_vector = normalize(light_dir + view);
+  float n_v = abs(dot(normal_eye, view));
+  float n_h = clamp(dot(normal_eye, half_vector), 0.0, 1.0);
+  float v_h = clamp(dot(view, half_vector), 0.0, 1.0);
+  float alpha_2 = material.alphaRoughness * material.alphaRoughness;
+  float spread = n_h * n_h * (alpha_2 - 1.0) + 1.0;
+  float distribution = alpha_2 / (kPi * spread * spread);
+  float visibility = 0.5 / (n_l * sqrt(n_v * n_v * (1.0 - alpha_2) + alpha_2) + n_v * sqrt(n_l * n_l * (1.0 - alpha_2) + alpha_2));
+  vec3 mirrored = material.reflectance0 + (material.reflectance90 - material.reflectance0) * pow(1.0 - v_h, 5.0);
+  return n_l * ((1.0 - mirrored) * material.diffuseColor / kPi + mirrored * distribution * visibility);
+}
+#endif
+
+vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
+{
+  vec4 base = castle_MaterialBaseAlpha;
+#ifdef COLOR_PER_VERTEX
+  base = castle_ColorPerVertexFragment * vec4(1.0, 1.0, 1.0, base.a);
+#endif
+  main_texture_apply(base, normal_eye);
+  float metallic = castle_MaterialMetallic;
+  float roughness = castle_MaterialRoughness;
+  /* PLUG: material_metallic_roughness (metallic, roughness) */
+  metallic = clamp(metallic, 0.0, 1.0);
+  MaterialInfo material;
+  material.perceptualRoughness = clamp(roughness, 0.04, 1.0);
+  material.alphaRoughness = material.perceptualRoughness * material.perceptualRoughness;
+  material.reflectance0 = mix(vec3(0.04), base.rgb, metallic);
+  material.reflectance90 = vec3(1.0);
+  material.specularColor = material.reflectance0;
+  material.diffuseColor = base.rgb * 0.96 * (1.0 - metallic);
+  vec4 result = vec4(0.0, 0.0, 0.0, base.a);
+#ifdef VIEW
+  vec3 view = normalize(-vertex_eye.xyz);
+#else
+  vec3 view = vec3(0.0, 0.0, 1.0);
+#endif
+  /* PLUG: add_light (result, vertex_eye, normal_eye, material, view) */
+  /* PLUG: material_occlusion (result) */
+#ifdef EMISSIVE
+  vec3 emissive = castle_MaterialEmissive;
+  /* PLUG: material_emissive (emissive) */
+  result.rgb += emissive;
+#endif
+  result.rgb = min(result.rgb, vec3(1.0));
+  return result;
+}
+#endif
 
 #ifdef UNLIT
 vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
@@ -121,6 +198,9 @@ void main()
   vec4 fragment_color = lighting(vertex_eye, normal_eye);
   /* PLUG: lighting_apply (fragment_color, vertex_eye, normal_eye) */
   /* PLUG: fragment_modify (fragment_color) */
+#ifdef PHYSICAL
+  fragment_color.rgb = pow(max(fragment_color.rgb, vec3(0.0)), vec3(1.0 / 2.2));  // linear light, encoded for the screen
+#endif
   /* PLUG: fog_apply (fragment_color, normal_eye) */
   castle_FragColor = fragment_color;
   /* PLUG: fragment_end (castle_FragColor) */

@@ -12,6 +12,9 @@ void PLUG_main_texture_apply(inout vec4 fragment_color, const in vec3 normal_eye
 #endif
   vec4 texture_color = texture(castle_texture_N, tex_coord.st);
   /* PLUG: texture_color (texture_color, castle_texture_N, tex_coord) */
+#ifdef LINEAR_LIGHT
+  texture_color.rgb = pow(texture_color.rgb, vec3(2.2));
+#endif
 #ifdef MODE_MODULATE
   fragment_color *= texture_color;
 #endif

@@ -8,7 +8,7 @@ class RecipeTest : public ComposeTest {
   RecipeTest() {
     SceneMaterial material;
     material.lighting = Lighting::phong;
-    material.diffuse = slot({0.8, 0.8, 0.8});
+    material.diffuse = material.ambient_color = slot({0.8, 0.8, 0.8});
     material.ambient = slot({0.2});
     material.specular = slot({0, 0, 0});
     material.emissive = slot({0, 0, 0});

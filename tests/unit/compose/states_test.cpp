@@ -10,7 +10,7 @@ class StatesTest : public ComposeTest {
   StatesTest() {
     SceneMaterial material;
     material.lighting = Lighting::phong;
-    material.diffuse = slot({1, 1, 1}, SlotType::vec3);
+    material.diffuse = material.ambient_color = slot({1, 1, 1}, SlotType::vec3);
     scene_.materials.push_back(material);
     shape_.material = 0;
   }
