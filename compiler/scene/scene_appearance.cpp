@@ -54,8 +54,11 @@ std::vector<ShaderField> read_fields(SceneContext& context, NodeId node) {
 bool is_glsl(SceneContext& context, NodeId node, std::string_view what) {
   const std::string_view language = context.graph.string(node, "language");
   if (language.empty() || language == "GLSL") return true;
+  constexpr std::array<std::string_view, 3> kLanguages = {"GLSL", "HLSL", "CG"};  // X3D 4.1, 31.2.1
+  const bool is_known = std::find(kLanguages.begin(), kLanguages.end(), language) != kLanguages.end();
   context.diagnostics.report(DiagnosticId::effect_unknown_language, context.graph.field_span(node, "language"),
-                             fmt::format("{} in language `{}` is passed over; plugc compiles `GLSL`", what, language));
+                             fmt::format("{} in language `{}` is passed over; plugc compiles `GLSL`{}", what, language,
+                                         is_known ? "" : did_you_mean(language, kLanguages)));
   return false;
 }
 
