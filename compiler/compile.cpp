@@ -4,16 +4,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "base/clean_text.h"
+#include "compile_library.h"
 #include "document/read_document.h"
 #include "document/read_gltf.h"
 #include "document/write_document.h"
 #include "lint/lint.h"
 #include "prepare_scene.h"
+#include "scene/library_effects.h"
+#include "scene/library_stage.h"
 #include "scene/node_graph.h"
 #include "scene/stage.h"
 #include "scene/type_document.h"
@@ -54,6 +58,7 @@ std::optional<Document> read_stage(std::string_view name, SourceSet& sources, Di
 struct LoadedScene {
   NodeGraph graph;
   Scene scene;
+  SourceId source;  ///< Not valid when the file cannot be read.
 };
 
 /// The scene of one file; with `stage`, what stands on that stage too.
@@ -64,7 +69,7 @@ LoadedScene load_scene(SourceId source, const std::filesystem::path& path, std::
   // from here everything that was written has a place
   loaded.graph = build_graph(std::move(document), path, sources, files, diagnostics, read_stage(stage, sources, diagnostics));
   // from here every USE is resolved, every prototype expanded, every Inline loaded, every value typed
-  loaded.scene = build_scene(loaded.graph, sources, files, {options.for_lint, options.dynamic}, diagnostics);
+  loaded.scene = build_scene(loaded.graph, sources, files, {options.for_lint, {}, options.dynamic}, diagnostics);
   loaded.scene.name = path.filename().string();
   // from here shapes know their lights, textures, effects and shadow maps
   return loaded;
@@ -75,18 +80,23 @@ LoadedScene load_scene(const std::filesystem::path& path, const CompileOptions& 
   const auto source = read_scene_file(path, files, sources, diagnostics);
   if (!source) return {};
   LoadedScene loaded = load_scene(*source, path, "", options, files, sources, diagnostics);
+  loaded.source = *source;
   const bool needs_stage = loaded.scene.shapes.empty() && !loaded.scene.effects.empty() && !options.stage.empty();
   return needs_stage ? load_scene(*source, path, options.stage, options, files, sources, diagnostics) : std::move(loaded);
 }
 
-SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions& options, Validator& validator,
-                         SourceSet& sources, Diagnostics& diagnostics, Compilation& compilation) {
-  CompileStatistics& statistics = compilation.statistics;
-  DiskFiles files(options.root.empty() ? default_root(path) : options.root);
-  auto timer = std::make_unique<PhaseTimer>(statistics.read);
-  LoadedScene loaded = load_scene(path, options, files, sources, diagnostics);
-  timer = std::make_unique<PhaseTimer>(statistics.prepare);
-  PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
+void add(const ValidationStatistics& validation, CompileStatistics& sum) {
+  sum.compose += validation.compose_milliseconds;
+  sum.validate += validation.validate_milliseconds;
+  sum.compositions += validation.compositions;
+  sum.rechecks += validation.rechecks;
+}
+
+SceneParts compile_scene(LoadedScene loaded, const CompileOptions& options, FileAccess& files, Validator& validator,
+                         SourceSet& sources, Diagnostics& diagnostics, CompileStatistics& statistics) {
+  auto timer = std::make_unique<PhaseTimer>(statistics.prepare);
+  MeshCache meshes;
+  PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics, meshes);
   // from here geometry is triangles, images are pixels, effects are outlined, and every shape has its recipe
   timer.reset();
   TemplateLibrary templates(sources);
@@ -97,13 +107,41 @@ SceneParts compile_scene(const std::filesystem::path& path, const CompileOptions
     prepared.parts.program_names.push_back(to_text(program.used, prepared.parts.scene));
   }
   // from here no PLUG marker remains, every program is valid and named by what it holds
-  statistics.compose += validation.compose_milliseconds;
-  statistics.validate += validation.validate_milliseconds;
-  statistics.compositions += validation.compositions;
-  statistics.rechecks += validation.rechecks;
-  compilation.files_read.insert(files.files_read().begin(), files.files_read().end());
+  add(validation, statistics);
   if (options.for_lint) lint_scene(prepared.parts.scene, prepared.effects, diagnostics);
   return std::move(prepared.parts);
+}
+
+/// A file without shapes: each of its effects on the built-in stage.
+std::vector<SceneParts> compile_library_file(SourceId source, const std::filesystem::path& path, const CompileOptions& options,
+                                             FileAccess& files, Validator& validator, SourceSet& sources,
+                                             Diagnostics& diagnostics, CompileStatistics& statistics) {
+  Document document = read_document(source, path, files, sources, diagnostics);
+  const SourceId stage = sources.add("library_stage.x3dv", library_stage_scene());
+  const NodeGraph graph =
+      build_graph(std::move(document), path, sources, files, diagnostics, read_document(stage, sources, diagnostics));
+  ValidationStatistics validation;
+  auto parts = compile_library(graph, sources, files, options.targets, validator, diagnostics, validation);
+  add(validation, statistics);
+  return parts;
+}
+
+/// One scene, or one for each effect of a library.
+std::vector<SceneParts> compile_file(const std::filesystem::path& path, const CompileOptions& options, Validator& validator,
+                                     SourceSet& sources, Diagnostics& diagnostics, Compilation& compilation) {
+  CompileStatistics& statistics = compilation.statistics;
+  DiskFiles files(options.root.empty() ? default_root(path) : options.root);
+  auto timer = std::make_unique<PhaseTimer>(statistics.read);
+  LoadedScene loaded = load_scene(path, options, files, sources, diagnostics);
+  timer.reset();
+  std::vector<SceneParts> parts;
+  const bool is_library = loaded.source.valid() && loaded.scene.shapes.empty() && !library_effects(loaded.graph).empty();
+  if (options.library && is_library)
+    parts = compile_library_file(loaded.source, path, options, files, validator, sources, diagnostics, statistics);
+  else
+    parts.push_back(compile_scene(std::move(loaded), options, files, validator, sources, diagnostics, statistics));
+  compilation.files_read.insert(files.files_read().begin(), files.files_read().end());
+  return parts;
 }
 
 void report_unknown_dynamic(const std::vector<std::string>& names, const std::vector<SceneParts>& parts,
@@ -125,7 +163,8 @@ Compilation compile(const std::vector<std::filesystem::path>& scenes, const Comp
   Compilation compilation;
   std::vector<SceneParts> parts;
   for (const std::filesystem::path& path : scenes) {
-    parts.push_back(compile_scene(path, options, validator, sources, diagnostics, compilation));
+    std::vector<SceneParts> made = compile_file(path, options, validator, sources, diagnostics, compilation);
+    std::ranges::move(made, std::back_inserter(parts));
   }
   report_unknown_dynamic(options.dynamic, parts, diagnostics);
   const PhaseTimer timer(compilation.statistics.assemble);
@@ -144,7 +183,8 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
   if (stage == "scene") return dump_graph(loaded.graph, sources) + dump_scene(loaded.scene);
   std::string text;
   if (stage != "recipes") return text;
-  const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
+  MeshCache meshes;
+  const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics, meshes);
   for (std::size_t i = 0; i < prepared.recipes.size(); ++i)
     text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i].recipe, prepared.parts.scene));
   return text;

@@ -25,6 +25,7 @@ struct CompileOptions {
   bool for_lint = false;       ///< Every effect, also in branches that are not drawn.
   /// What a file with effects but no shapes is tried on: teapot, sphere, box, plane; empty: nothing is put under it.
   std::string stage;
+  bool library = false;  ///< A file with effects and no shape becomes a library: each effect alone on built-in shapes.
   std::vector<std::string> dynamic;  ///< `DEF.field`: what a host may change while the scene is drawn.
 };
 

@@ -14,8 +14,7 @@
 namespace plugc {
 namespace {
 
-void prepare_meshes(const NodeGraph& graph, SceneParts& parts, Diagnostics& diagnostics) {
-  std::map<NodeId, std::shared_ptr<const Mesh>> made;
+void prepare_meshes(const NodeGraph& graph, SceneParts& parts, MeshCache& made, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     const NodeId geometry = parts.scene.shapes[i].geometry;
     const auto [found, added] = made.try_emplace(geometry);
@@ -144,12 +143,13 @@ void prepare_recipes(PreparedScene& prepared) {
 
 }  // namespace
 
-PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics) {
+PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics,
+                            MeshCache& meshes) {
   PreparedScene prepared;
   SceneParts& parts = prepared.parts;
   parts.scene = std::move(scene);
   parts.shapes.resize(parts.scene.shapes.size());
-  prepare_meshes(graph, parts, diagnostics);
+  prepare_meshes(graph, parts, meshes, diagnostics);
   parts.images = load_images(graph, parts.scene, files, diagnostics);
   drop_missing_textures(parts.scene, parts.images);
   prepare_tangents(parts);

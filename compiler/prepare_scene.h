@@ -2,6 +2,8 @@
 // The middle of the pipeline: a scene's geometry as triangles, its textures as pixels, its effects outlined, and the recipe
 // of every shape. Each thing that shapes share is made once.
 
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -21,6 +23,10 @@ struct PreparedScene {
   std::vector<StateRecipe> recipes;          ///< Each once; `parts.shapes` index it.
 };
 
-PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics);
+/// Meshes that several scenes of one graph share.
+using MeshCache = std::map<NodeId, std::shared_ptr<const Mesh>>;
+
+PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics,
+                            MeshCache& meshes);
 
 }  // namespace plugc

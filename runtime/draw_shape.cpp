@@ -73,8 +73,12 @@ void apply_bindings(const gl::Functions& gl, LoadedScene& scene, const Pass& pas
   }
   for (std::size_t i = 0; i < fed.size(); ++i) {
     const LoadedUniform& uniform = program.uniforms[i];
-    if (fed[i] || uniform.unit < 0) continue;
-    bind_sampler(gl, uniform, {scene.resources.stand_in(uniform.type).id()});
+    if (fed[i] || uniform.location < 0) continue;
+    if (uniform.unit >= 0) {
+      bind_sampler(gl, uniform, {scene.resources.stand_in(uniform.type).id()});
+    } else if (!uniform.initial.empty()) {  // another shape of this program may have set it
+      gl::set_uniform(gl, uniform.location, uniform.type, static_cast<GLsizei>(uniform.count), uniform.initial);
+    }
   }
 }
 

@@ -84,6 +84,7 @@ void find_uniforms(const gl::Functions& gl, const PackedProgram& packed, LoadedP
   gl::use_program(gl, loaded.program);
   for (const PackedUniform* uniform : *packed.uniforms()) {
     LoadedUniform found{uniform->name()->str(), uniform->type(), uniform->count()};
+    found.initial.assign(uniform->initial()->begin(), uniform->initial()->end());
     found.location = gl::uniform_location(gl, loaded.program, found.name.c_str());
     if (gl::is_sampler(found.type) && found.location >= 0) {
       if (found.count > static_cast<std::uint32_t>(units_left)) {

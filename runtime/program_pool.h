@@ -15,7 +15,8 @@ struct LoadedUniform {
   PackedUniformType type = PackedUniformType::float_;
   std::uint32_t count = 1;
   GLint location = -1;
-  GLint unit = -1;  ///< Samplers: the first texture unit.
+  GLint unit = -1;                  ///< Samplers: the first texture unit.
+  std::vector<float> initial = {};  ///< For shapes without a binding; empty: it keeps what it has.
 };
 
 struct LoadedProgram {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // no column of its own in any editor
 constexpr std::uint32_t kBlock = 4096;
+constexpr std::uint32_t kFirstFixed = 0x80000000;  // ids of texts that have the same one in every set
 
 /// Code points that begin in the text.
 std::uint32_t count_characters(std::string_view text) {
@@ -33,7 +34,14 @@ SourceId SourceSet::add(std::string name, std::string text) {
   return {static_cast<std::uint32_t>(sources_.size() - 1)};
 }
 
+SourceId SourceSet::add_fixed(std::uint32_t number, std::string_view name, std::string_view text) {
+  fixed_.try_emplace(number, Source{std::string(name), std::string(text), {}, {}});
+  return {kFirstFixed + number};
+}
+
 const SourceSet::Source& SourceSet::source(SourceId id) const {
+  if (const auto found = fixed_.find(id.value - kFirstFixed); id.value >= kFirstFixed && found != fixed_.end())
+    return found->second;
   PLUGC_CHECK(id.value < sources_.size(), "a source of this set");
   return sources_[id.value];
 }
@@ -82,6 +90,13 @@ Position SourceSet::position(SourceId id, std::uint32_t offset) const {
   const std::uint32_t counted = characters_before(in, offset) - characters_before(in, *(next - 1)) + 1;
   const bool behind_mark = line == 1 && offset > 0 && in.text.starts_with(kByteOrderMark);
   return {line, behind_mark ? counted - 1 : counted};
+}
+
+std::uint32_t SourceSet::line(SourceId id, std::uint32_t offset) const {
+  const Source& in = source(id);
+  const auto& starts = line_starts(in);
+  offset = std::min(offset, static_cast<std::uint32_t>(in.text.size()));
+  return static_cast<std::uint32_t>(std::upper_bound(starts.begin(), starts.end(), offset) - starts.begin());
 }
 
 std::string_view SourceSet::line_at(SourceId id, std::uint32_t offset) const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -40,6 +41,9 @@ class SourceSet {
  public:
   /// `name` is what messages show: a path as the user gave it, or `plugc:/...` for plugc's own texts.
   SourceId add(std::string name, std::string text);
+  /// A text that has the same id in every set, so that what is made of it can be shared by all. `number` is the caller's, one
+  /// for each such text; adding one again changes nothing. `text` must outlive the set.
+  SourceId add_fixed(std::uint32_t number, std::string_view name, std::string_view text);
 
   std::string_view name(SourceId id) const;
   std::string_view text(SourceId id) const;
@@ -47,6 +51,8 @@ class SourceSet {
 
   /// Line and column of a byte; an offset behind the end is taken as the end.
   Position position(SourceId id, std::uint32_t offset) const;
+  /// The line alone, which costs less.
+  std::uint32_t line(SourceId id, std::uint32_t offset) const;
   /// The whole line (without its end) that holds a byte.
   std::string_view line_at(SourceId id, std::uint32_t offset) const;
 
@@ -61,6 +67,7 @@ class SourceSet {
   static const std::vector<std::uint32_t>& line_starts(const Source& source);
   static std::uint32_t characters_before(const Source& source, std::uint32_t offset);
   std::deque<Source> sources_;
+  std::map<std::uint32_t, Source> fixed_;  // by number
 };
 
 /// Text that remembers where each of its bytes came from. Decoding (escapes, entities, percent-encoding) and composing

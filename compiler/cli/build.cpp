@@ -51,6 +51,7 @@ void print_summary(const Compilation& made, const BuildOptions& options, std::si
   const CompileStatistics& s = made.statistics;
   fmt::print("{}: {} programs for {} shapes, {} plugs filled, {} bytes\n", options.output, made.package.programs.size(), shapes,
              filled, bytes);
+  if (!made.package.effects.empty()) fmt::print("  a library of {} effects\n", made.package.effects.size());
   for (const auto& program : made.package.programs) {
     fmt::print("  {}\n", program->recipe);
     for (const std::string& plug : program->plugs_filled) fmt::print("    fills {}\n", plug);
@@ -63,8 +64,9 @@ int build(const BuildOptions& options) {
   Validator validator = make_validator(options.common);
   SourceSet sources;
   Diagnostics diagnostics(sources);
-  const std::vector<std::filesystem::path> scenes(options.scenes.begin(), options.scenes.end());
-  const Compilation made = compile(scenes, compile_options(options.common), validator, sources, diagnostics);
+  CompileOptions compile_with = compile_options(options.common);
+  compile_with.library = true;
+  const Compilation made = compile(scene_files(options.scenes), compile_with, validator, sources, diagnostics);
   const int status = report(diagnostics);
   const std::vector<std::uint8_t> bytes = write_package(made.package);
   if (!write_file(options.output, bytes.data(), bytes.size())) return kBrokenUse;
@@ -81,7 +83,9 @@ int build(const BuildOptions& options) {
 void add_build_command(CLI::App& app, int& status) {
   auto options = std::make_shared<BuildOptions>();
   CLI::App* verb = app.add_subcommand("build", "Compile scenes into a package that the runtime draws");
-  verb->add_option("SCENE", options->scenes, "X3D scenes (.x3dv, .x3d, .x3dj, .wrl)")->required()->check(CLI::ExistingFile);
+  verb->add_option("SCENE", options->scenes, "X3D scenes (.x3dv, .x3d, .x3dj, .wrl), or folders to search for them")
+      ->required()
+      ->check(CLI::ExistingPath);
   verb->add_option("-o,--output", options->output, "The package to write (.plugpack)")->required();
   verb->add_option("--target", options->common.targets, "Dialects to compile for: glsl330, essl300, spirv")
       ->delimiter(',')
@@ -91,7 +95,8 @@ void add_build_command(CLI::App& app, int& status) {
   add_common_options(*verb, options->common);
   verb->footer(
       "Programs that are equal are stored once. An effect that does not compile is left out alone, with a message;\n"
-      "the package then holds the rest and the exit status is 1.\n\n"
+      "the package then holds the rest and the exit status is 1. A file with effects and no shape becomes a library:\n"
+      "each effect is compiled alone, for every kind of shape that it can tell from others.\n\n"
       "Example: plugc build scene.x3dv -o scene.plugpack --target glsl330,essl300");
   verb->callback([options, &status] { status = build(*options); });
 }

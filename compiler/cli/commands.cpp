@@ -30,7 +30,39 @@ auto sort_key(const Diagnostic& diagnostic) {
   return std::make_tuple(diagnostic.span.source.value, diagnostic.span.begin);
 }
 
+/// Most `.json` files of a folder are no scenes; one that is says so right away.
+bool begins_with_x3d(const fs::path& path) {
+  std::string beginning(1024, '\0');
+  std::ifstream(path, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return beginning.find("\"X3D\"") != std::string::npos;
+}
+
+bool is_scene_file(const fs::path& path) {
+  constexpr std::string_view kEndings[] = {".x3dv", ".x3d", ".x3dj", ".wrl", ".x3dvz", ".x3dz", ".wrz"};
+  const std::string ending = path.extension().string();
+  if (ending == ".json") return begins_with_x3d(path);
+  return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
+}
+
 }  // namespace
+
+std::vector<fs::path> scene_files(const std::vector<std::string>& paths) {
+  std::vector<fs::path> files;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      files.emplace_back(path);
+      continue;
+    }
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied, error)) {
+      if (entry.is_regular_file(error) && is_scene_file(entry.path())) found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
   verb.add_option(

@@ -39,6 +39,9 @@ std::filesystem::path cache_folder(std::string_view subfolder);
 /// Prints to stderr as text, sorted by file and line; returns the exit status that the diagnostics ask for.
 int report(const Diagnostics& diagnostics);
 
+/// Files as given; folders are searched for scenes, in name order.
+std::vector<std::filesystem::path> scene_files(const std::vector<std::string>& paths);
+
 /// Whether that is a package; anything else is taken for a scene.
 bool is_package_file(const std::filesystem::path& path);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands.h"
 
@@ -100,10 +101,35 @@ std::vector<std::uint8_t> input_bytes(const InspectOptions& options, Validator& 
     std::ifstream stream(options.input, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  return write_package(compile({options.input}, compile_options(options.common), validator, sources, diagnostics).package);
+  CompileOptions compile_with = compile_options(options.common);
+  compile_with.library = true;
+  return write_package(compile({options.input}, compile_with, validator, sources, diagnostics).package);
+}
+
+std::string joined(const flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>& names) {
+  std::string text;
+  for (const auto* name : names) text += (text.empty() ? "" : ", ") + name->str();
+  return text.empty() ? "nothing" : text;
+}
+
+std::string default_of(const PackedScene& scene, std::uint32_t slot) {
+  const PackedSlot& packed = *scene.slots()->Get(slot);
+  const double* first = scene.slot_values()->data() + packed.first();
+  return fmt::format("{}", fmt::join(first, first + std::size_t{packed.count()} * component_count(packed.type()), " "));
+}
+
+/// What a host that puts the effect on a shape of its own must know of it.
+void print_effect(const Package& package, const PackedEffect& effect) {
+  fmt::print("{} ({})\n", effect.name()->string_view(), origin_text(package, *effect.origin()));
+  fmt::print("  needs {}; offers {}\n", joined(*effect.needs()), joined(*effect.offers()));
+  const PackedScene& scene = *package.scenes()->Get(effect.scene());
+  for (const auto* field : *effect.fields())
+    fmt::print("  field {} = {}\n", field->name()->string_view(), default_of(scene, field->slot()));
+  for (const auto* kind : *effect.kinds()) fmt::print("  program {} on {}\n", kind->program(), kind->name()->string_view());
 }
 
 int print_list(const Package& package) {
+  for (const PackedEffect* effect : *package.effects()) print_effect(package, *effect);
   fmt::print("{} programs\n", package.programs()->size());
   for (std::size_t i = 0; i < package.programs()->size(); ++i) {
     fmt::print("{:4} {}\n", i, package.programs()->Get(static_cast<flatbuffers::uoffset_t>(i))->recipe()->string_view());

@@ -1,7 +1,5 @@
 // plugc lint: every effect of the files given, also those that are disabled or in branches that are not drawn.
 
-#include <algorithm>
-#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>
@@ -12,46 +10,11 @@
 namespace plugc {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct LintOptions {
   CommonOptions common;
   std::vector<std::string> paths;
   std::string format = "text";
 };
-
-/// Most `.json` files of a folder are no scenes; one that is says so right away.
-bool begins_with_x3d(const fs::path& path) {
-  std::string beginning(1024, '\0');
-  std::ifstream(path, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  return beginning.find("\"X3D\"") != std::string::npos;
-}
-
-bool is_scene_file(const fs::path& path) {
-  constexpr std::string_view kEndings[] = {".x3dv", ".x3d", ".x3dj", ".wrl", ".x3dvz", ".x3dz", ".wrz"};
-  const std::string ending = path.extension().string();
-  if (ending == ".json") return begins_with_x3d(path);
-  return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
-}
-
-/// Files as given; folders are searched for scenes, in name order.
-std::vector<fs::path> scene_files(const std::vector<std::string>& paths) {
-  std::vector<fs::path> files;
-  for (const std::string& path : paths) {
-    std::error_code error;
-    if (!fs::is_directory(path, error)) {
-      files.emplace_back(path);
-      continue;
-    }
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied, error)) {
-      if (entry.is_regular_file(error) && is_scene_file(entry.path())) found.push_back(entry.path());
-    }
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
-  }
-  return files;
-}
 
 int lint(const LintOptions& options) {
   Validator validator = make_validator(options.common);
@@ -60,8 +23,8 @@ int lint(const LintOptions& options) {
   CompileOptions compile_with = compile_options(options.common);
   compile_with.for_lint = true;
   compile_with.stage = "teapot";
-  const std::vector<fs::path> files = scene_files(options.paths);
-  for (const fs::path& file : files) compile({file}, compile_with, validator, sources, diagnostics);
+  const std::vector<std::filesystem::path> files = scene_files(options.paths);
+  for (const std::filesystem::path& file : files) compile({file}, compile_with, validator, sources, diagnostics);
   if (options.format == "text") {
     const int status = report(diagnostics);
     fmt::print("{} files, {} errors, {} warnings, {} notes\n", files.size(), diagnostics.count(Severity::error),

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <functional>
 #include <future>
 #include <memory>
 #include <thread>
@@ -15,6 +14,7 @@
 #include "cli/field_setting.h"
 #include "image/write_png.h"
 #include "runtime/render.h"
+#include "scene/library_stage.h"
 
 namespace plugc {
 namespace {
@@ -26,6 +26,7 @@ struct PreviewOptions {
   std::string size = "1280x720";
   std::string viewpoint;
   std::string stage = "teapot";
+  std::string effect;
   std::uint32_t samples = 1;
   std::vector<std::string> settings;
   bool no_shadows = false;
@@ -50,6 +51,13 @@ RendererOptions renderer_options(const PreviewOptions& options) {
   return renderer;
 }
 
+/// What is to be drawn.
+struct Choice {
+  const Package* package = nullptr;  ///< Null: nothing, there was an error.
+  std::uint32_t scene = 0;
+  std::vector<FieldSetting> settings;
+};
+
 /// What the drawing thread leaves behind.
 struct Drawn {
   std::string error;
@@ -58,19 +66,33 @@ struct Drawn {
   std::vector<std::string> messages;
 };
 
+/// Finds the effect of a library, the first one where none is named, and which shape shows it; false when there is none.
+bool choose_effect(const Package& package, const PreviewOptions& options, std::uint32_t& scene,
+                   std::vector<FieldSetting>& settings) {
+  for (const PackedEffect* effect : *package.effects()) {
+    if (!options.effect.empty() && effect->name()->string_view() != options.effect) continue;
+    scene = effect->scene();
+    const auto geometry = std::ranges::find(kStageGeometries, options.stage) - kStageGeometries.begin();
+    const std::size_t kind = effect->kinds()->size() == 0 ? 0 : effect->kinds()->Get(0)->choice();
+    const auto choice = static_cast<double>(stage_choice(static_cast<std::size_t>(geometry), kind));
+    settings.push_back({std::string(kLibraryStage) + ".whichChoice", {choice}});
+    return true;
+  }
+  return options.effect.empty();
+}
+
 bool apply(const std::vector<FieldSetting>& settings, Renderer& renderer, std::string& error) {
   return std::ranges::all_of(settings,
                              [&](const FieldSetting& one) { return renderer.set_field(one.name, one.values, error); });
 }
 
 /// Makes the context at once, then waits for the package. All GL of a renderer happens in one thread, its end too.
-void draw(const RendererOptions& options, const FrameOptions& frame, const std::vector<FieldSetting>& settings,
-          std::future<const Package*> package, std::promise<Drawn> done) {
+void draw(const RendererOptions& options, const FrameOptions& frame, std::future<Choice> chosen, std::promise<Drawn> done) {
   Drawn drawn;
   const std::unique_ptr<Renderer> renderer = Renderer::make(options, drawn.error);
-  const Package* loaded = package.get();
-  if (renderer != nullptr && loaded != nullptr && renderer->load(*loaded, 0, drawn.error) &&
-      apply(settings, *renderer, drawn.error)) {
+  const Choice choice = chosen.get();
+  if (renderer != nullptr && choice.package != nullptr && renderer->load(*choice.package, choice.scene, drawn.error) &&
+      apply(choice.settings, *renderer, drawn.error)) {
     drawn.picture = renderer->draw(frame);
     drawn.statistics = renderer->statistics();
     drawn.messages = renderer->messages();
@@ -118,20 +140,24 @@ int preview(const PreviewOptions& options) {
   if (!packed) validator = std::make_unique<Validator>(make_validator(options.common));
 
   std::vector<std::uint8_t> bytes;  // outlives the drawing thread
-  std::promise<const Package*> package;
+  std::promise<Choice> choice;
   std::promise<Drawn> done;
   std::future<Drawn> picture = done.get_future();
-  const auto drawing = std::async(std::launch::async, draw, renderer_options(options), frame, std::cref(settings),
-                                  package.get_future(), std::move(done));
+  const auto drawing =
+      std::async(std::launch::async, draw, renderer_options(options), frame, choice.get_future(), std::move(done));
   int status = kFine;
   bytes = package_bytes(options, settings, validator.get(), status);
   const PackageView view = open_package(bytes);
-  package.set_value(view.package);
+  std::uint32_t scene = 0;
+  const bool found = view.package == nullptr || choose_effect(*view.package, options, scene, settings);
+  choice.set_value({found ? view.package : nullptr, scene, settings});
   validator.reset();
   const Drawn drawn = picture.get();
 
   for (const std::string& message : drawn.messages) fmt::print(stderr, "{}\n", message);
-  const std::string& error = view.package == nullptr ? view.error : drawn.error;
+  const std::string no_effect =
+      fmt::format("there is no effect `{}`; `plugc inspect` lists those of a library", options.effect);
+  const std::string& error = view.package == nullptr ? view.error : found ? drawn.error : no_effect;
   if (!error.empty()) {
     fmt::print(stderr, "plugc: {}: {}\n", options.input, error);
     return packed && view.package == nullptr ? kInputErrors : kBrokenUse;
@@ -163,6 +189,7 @@ void add_preview_command(CLI::App& app, int& status) {
   verb->add_option("--on", options->stage, "What to try effects on when the file has no shapes: teapot, sphere, box, plane")
       ->check(CLI::IsMember({"teapot", "sphere", "box", "plane"}))
       ->capture_default_str();
+  verb->add_option("--effect", options->effect, "The effect of a library to draw, by its name (default: the first)");
   verb->add_option("--samples", options->samples, "Samples a pixel; 4 smooths edges and costs time")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();

@@ -13,6 +13,7 @@
 #include "compose/borrow_functions.h"
 #include "compose/castle_names.h"
 #include "compose/placed_unit.h"
+#include "compose/uniform_defaults.h"
 
 namespace plugc {
 namespace {
@@ -55,7 +56,8 @@ class NameBinder {
   void report(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin, std::string message,
               std::vector<RelatedPlace> related = {});
   void list_fields(const PlacedUnit& unit);
-  FieldUniform field_uniform(const PlacedUnit& unit, const GlobalOutline& uniform) const;
+  std::vector<double> initial_of(const PlacedUnit& unit, const GlobalOutline& uniform);
+  FieldUniform field_uniform(const PlacedUnit& unit, const GlobalOutline& uniform);
 
   Composition& c_;
   std::map<std::pair<ShaderStage, std::string_view>, std::vector<Definition>> functions_;
@@ -265,8 +267,21 @@ int find_field(const SceneEffect& effect, std::string_view name) {
   return found == effect.fields.end() ? -1 : static_cast<int>(found - effect.fields.begin());
 }
 
+/// GLSL ES 3.00 has no initialisers of uniforms, so what cannot be computed here is lost there.
+std::vector<double> NameBinder::initial_of(const PlacedUnit& unit, const GlobalOutline& uniform) {
+  if (auto value = initial_value(*unit.code, uniform)) return std::move(*value);
+  if (uniform.initializer_end > uniform.initializer_begin && c_.target == Target::essl300) {
+    report(DiagnosticId::uniform_without_field, unit, uniform.name, uniform.name_begin,
+           fmt::format(
+               "plugc cannot compute what `{}` starts with, and `essl300` has no initialised uniforms: there it starts as 0; "
+               "give it a field",
+               uniform.name));
+  }
+  return {};
+}
+
 /// The effect's own field, else the ComposedShader's of that name.
-FieldUniform NameBinder::field_uniform(const PlacedUnit& unit, const GlobalOutline& uniform) const {
+FieldUniform NameBinder::field_uniform(const PlacedUnit& unit, const GlobalOutline& uniform) {
   const Owner& owner = c_.owners[unit.owner];
   FieldUniform found;
   found.name = c_.final_name(unit, uniform.name);
@@ -276,6 +291,7 @@ FieldUniform NameBinder::field_uniform(const PlacedUnit& unit, const GlobalOutli
   const std::string_view written = unit.code->written_name(uniform.name);
   found.field = find_field(c_.author(owner), written);
   found.span = name_span(*unit.code, uniform.name, uniform.name_begin);
+  found.initial = initial_of(unit, uniform);
   if (found.field >= 0 || c_.recipe.shader < 0) return found;
   const int shader_field = find_field(c_.input.scene.shaders[static_cast<std::size_t>(c_.recipe.shader)], written);
   if (shader_field >= 0) {

@@ -116,6 +116,7 @@ std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderSta
   unit->text = std::move(upgraded.text);
   unit->castle_names = std::move(upgraded.used_names);
   unit->renamed_names = std::move(upgraded.renamed_names);
+  unit->names_precision = names_precision(unit->text.text());
   unit->tokens = tokenize(unit->text.text(), predefined);
   unit->outline = outline(unit->text.text(), unit->tokens, varying_storage(stage));
   unit->macro_words = find_macro_words(*unit);

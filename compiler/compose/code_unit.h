@@ -21,7 +21,8 @@ struct CodeUnit {
   std::vector<std::string> castle_names;   ///< castle_ names that the text uses, declared or not.
   std::vector<RenamedName> renamed_names;  ///< Names that upgrading had to change.
   TokenList tokens;
-  Outline outline;  ///< Points into `text`, so a unit is never moved once made.
+  Outline outline;               ///< Points into `text`, so a unit is never moved once made.
+  bool names_precision = false;  ///< `lowp`, `mediump` or `highp` stands somewhere in it.
   std::unordered_map<std::string_view, std::string_view> macro_words;  ///< Macros that stand for one word.
 
   CodeUnit() = default;
@@ -35,6 +36,9 @@ struct CodeUnit {
   /// What a name stands for: the word that a macro of that name is, else the name itself.
   std::string_view macro_word(std::string_view name) const;
 };
+
+/// Whether `lowp`, `mediump` or `highp` stands in the text.
+bool names_precision(std::string_view text);
 
 /// `PLUG_name` -> `name`; "" for other names.
 std::string_view plug_name(std::string_view function_name);

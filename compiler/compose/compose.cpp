@@ -8,6 +8,7 @@
 #include "compose/castle_names.h"
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
+#include "compose/precision.h"
 
 namespace plugc {
 
@@ -76,6 +77,7 @@ ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target 
   // from here every plug function has its calls and its name
   name_owners(composition);
   note_passed_varyings(composition);
+  note_precisions(composition);
   // from here no two owners' names meet
   bind_names(composition);
   // from here what an owner only declares has its definition's name, and uniforms know their fields

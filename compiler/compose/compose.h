@@ -30,8 +30,9 @@ struct FieldUniform {
   std::string type;  ///< GLSL type as declared.
   int owner = -1;    ///< Into Scene::effects, or Scene::shaders when `of_shader`.
   bool of_shader = false;
-  int field = -1;  ///< Into its fields; -1: no field feeds it.
-  Span span;       ///< Of the uniform's name.
+  int field = -1;                    ///< Into its fields; -1: no field feeds it.
+  Span span;                         ///< Of the uniform's name.
+  std::vector<double> initial = {};  ///< What it holds where no field feeds it; empty: zeros, or what only its text says.
 };
 
 /// A uniform `bool` that says whether an effect's or a light's code runs.
@@ -50,6 +51,7 @@ struct ComposedProgram {
   std::vector<ComposedStage> stages;
   std::vector<FieldUniform> fields;
   std::vector<SwitchUniform> switches;
+  std::vector<std::string> calls;         ///< `plug stage` for each call of an author's plug function, sorted.
   std::vector<std::string> plugs_filled;  ///< Plugs that effects filled, sorted.
   std::vector<std::string> plugs_empty;   ///< The other plugs that the program offers, sorted.
   bool moves_vertices = false;            ///< Some effect moves vertices, so that the mesh's bounds say nothing.

@@ -208,7 +208,7 @@ bool GeometryPlacer::place() {
   const auto add = [&](PlacedUnit unit) {
     if (!unit.passes.empty()) units.push_back(std::move(unit));
   };
-  units.push_back(make_placed_unit(c_.input.templates.get("geometry.geom", ShaderStage::geometry, {}), ShaderStage::geometry));
+  units.push_back(make_placed_unit(c_.input.templates.get("geometry.geom", {}), ShaderStage::geometry));
   add(renderer_unit());
   std::vector<PlacedUnit> passing;
   for (const PlacedUnit& unit : c_.units)

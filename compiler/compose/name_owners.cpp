@@ -143,10 +143,11 @@ void TakenNames::take(const std::string& name, StageMask stages, std::size_t own
 
 std::string TakenNames::new_name(const std::string& name, std::size_t owner, const std::vector<PlacedUnit>& units) {
   constexpr std::size_t kNobody = SIZE_MAX;
-  const auto& words = words_of(owner, units);
   for (int& number = next_number_.try_emplace(name, 2).first->second;; ++number) {
     std::string candidate = fmt::format("{}_{}", name, number);
-    if (is_free(candidate, kAllStages, kNobody) && !words.contains(candidate)) return candidate;
+    // templates hold no such words
+    const bool is_word = owner != 0 && words_of(owner, units).contains(candidate);
+    if (is_free(candidate, kAllStages, kNobody) && !is_word) return candidate;
   }
 }
 

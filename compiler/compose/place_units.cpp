@@ -89,7 +89,7 @@ std::vector<std::size_t> Placer::guards(PlugScope scope, int effect) const {
 }
 
 void Placer::add_template(std::string_view name, ShaderStage stage, const Features& features, PlugScope scope) {
-  c_.units.push_back(make_placed_unit(c_.input.templates.get(name, stage, features, scope.number), stage, 0, scope));
+  c_.units.push_back(make_placed_unit(c_.input.templates.get(name, features, scope.number), stage, 0, scope));
   c_.units.back().guards = guards(scope);
 }
 

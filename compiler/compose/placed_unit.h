@@ -107,6 +107,7 @@ struct Composition {
   TakenNames taken;
   bool has_geometry = false;  ///< The program has a geometry stage.
   GeometryStage geometry;
+  std::map<std::string, std::string_view, std::less<>> precisions;  ///< Of uniforms that are declared with several.
   std::map<std::string, std::string, std::less<>>
       passed;  ///< Final names of varyings in front of the geometry stage and behind it.
 
@@ -114,6 +115,12 @@ struct Composition {
     return (owner.kind == OwnerKind::shader ? input.scene.shaders : input.scene.effects)[static_cast<std::size_t>(owner.index)];
   }
   bool by_author(const PlacedUnit& unit) const { return owners[unit.owner].kind != OwnerKind::renderer; }
+  /// Whether every name of the unit's code stays as it is.
+  bool keeps_names(const PlacedUnit& unit) const {
+    const bool behind_geometry = unit.stage == ShaderStage::fragment && !passed.empty();
+    const bool of_light = unit.scope.kind == ScopeKind::light && owners[unit.owner].kind == OwnerKind::effect;
+    return !behind_geometry && !of_light && owners[unit.owner].keeps_names_in(unit.stage);
+  }
   /// A name as the composed text has it; in a light's own effect `castle_LightSource...` is that light's, and in fragment code
   /// a varying that has passed a geometry stage has the name that it has there.
   std::string final_name(const PlacedUnit& unit, std::string_view name) const;

@@ -279,6 +279,7 @@ void PlugResolver::resolve_function(std::size_t index, std::size_t f) {
   if (!by_author || results.contains(CallResult::misfit)) return;
   if (results.contains(CallResult::called)) filled_.emplace(name);
   if (results.contains(CallResult::called) && moves_vertices(function)) c_.result.moves_vertices = true;
+  for (std::size_t m = 0; m < markers.size(); ++m) c_.result.calls.push_back(fmt::format("{} {}", name, to_text(unit.stage)));
   const bool of_use = results.contains(CallResult::called) || results.contains(CallResult::for_overload);
   if (!of_use && !c_.recipe.depth_only) report_unreached(unit, function);
 }
@@ -304,6 +305,7 @@ void PlugResolver::list_plugs() const {
     if (offered && !filled_.contains(key.second)) empty.emplace(key.second);
   }
   c_.result.plugs_filled.assign(filled_.begin(), filled_.end());
+  std::ranges::sort(c_.result.calls);
   c_.result.plugs_empty.assign(empty.begin(), empty.end());
 }
 

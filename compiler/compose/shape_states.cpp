@@ -34,19 +34,26 @@ struct Condition {
 /// All must hold.
 using Conditions = std::vector<Condition>;
 
+/// The slot itself, or the one that always holds the same.
+std::uint32_t leading_slot(const Scene& scene, std::uint32_t slot) {
+  const std::uint32_t mirrored = scene.slots[slot].mirrors;
+  return mirrored == kSceneNoSlot ? slot : mirrored;
+}
+
 /// The choices of the Switches above a place.
 void add_choices(const Scene& scene, int transform, Conditions& conditions) {
   for (; transform >= 0; transform = scene.transforms[static_cast<std::size_t>(transform)].parent) {
     const SceneTransform& here = scene.transforms[static_cast<std::size_t>(transform)];
-    if (here.switch_slot != kSceneNoSlot) conditions.push_back({here.switch_slot, static_cast<double>(here.choice)});
+    if (here.switch_slot != kSceneNoSlot)
+      conditions.push_back({leading_slot(scene, here.switch_slot), static_cast<double>(here.choice)});
   }
 }
 
 Conditions conditions_of(const Scene& scene, const ShapeSwitch& one) {
-  if (!one.of_light) return {{scene.effects[static_cast<std::size_t>(one.index)].enabled, 1}};
+  if (!one.of_light) return {{leading_slot(scene, scene.effects[static_cast<std::size_t>(one.index)].enabled), 1}};
   const SceneLight& light = scene.lights[static_cast<std::size_t>(one.index)];
   Conditions conditions;
-  if (scene.slots[light.on].routed) conditions.push_back({light.on, 1});
+  if (scene.slots[light.on].routed) conditions.push_back({leading_slot(scene, light.on), 1});
   add_choices(scene, light.transform, conditions);
   return conditions;
 }

@@ -2,7 +2,9 @@
 // then each unit as write_unit makes it.
 
 #include <algorithm>
+#include <deque>
 #include <set>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -86,15 +88,19 @@ void HeadWriter::write_geometry() {
 
 /// castle_ names that a unit uses and neither it nor an earlier one declares.
 std::set<std::string> HeadWriter::undeclared_names() const {
+  std::deque<std::string> changed;  // names that are not as their units write them
+  const auto name_of = [&](const PlacedUnit& unit, std::string_view name) -> std::string_view {
+    return c_.keeps_names(unit) ? name : changed.emplace_back(c_.final_name(unit, name));
+  };
+  std::unordered_set<std::string_view> declared;
   std::set<std::string> undeclared;
-  std::set<std::string, std::less<>> declared;
   for (const PlacedUnit* unit : units_) {
     for (const GlobalOutline& global : unit->code->outline.globals) {
-      if (global.name.starts_with("castle_")) declared.insert(c_.final_name(*unit, global.name));
+      if (global.name.starts_with("castle_")) declared.insert(name_of(*unit, global.name));
     }
     for (const std::string& used : unit->code->castle_names) {
-      std::string name = c_.final_name(*unit, used);
-      if (!declared.contains(name)) undeclared.insert(std::move(name));
+      const std::string_view name = name_of(*unit, used);
+      if (!declared.contains(name)) undeclared.emplace(name);
     }
   }
   return undeclared;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <mutex>
+#include <unordered_map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -131,23 +133,64 @@ MappedText number_names(const MappedText& text, int number) {
   return apply_edits(text, std::move(edits));
 }
 
+namespace {
+
+/// More forms than scenes have: those of one shape are some twenty.
+constexpr std::size_t kMaxForms = 4096;
+
+/// The forms made so far, by what decides them. Any thread may ask.
+class FormCache {
+ public:
+  template <typename Make>
+  std::shared_ptr<const CodeUnit> get(std::string key, Make make) {
+    const std::scoped_lock lock(mutex_);
+    const auto [found, added] = forms_.try_emplace(std::move(key));
+    if (!added) return found->second;
+    auto form = found->second = make();
+    if (forms_.size() > kMaxForms) forms_.clear();
+    return form;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::unordered_map<std::string, std::shared_ptr<const CodeUnit>> forms_;
+};
+
+FormCache& form_cache() {
+  static FormCache cache;
+  return cache;
+}
+
+std::string form_key(std::string_view name, const Features& features, int number) {
+  std::string key(name);
+  for (const std::string_view feature : features.names()) key.append(1, ' ').append(feature);
+  if (number >= 0) key.append(1, ' ').append(std::to_string(number));
+  return key;
+}
+
+/// The place of a template among the files that plugc carries: its number in every source set.
+std::uint32_t file_number(std::string_view file) {
+  const auto files = stdlib_files();
+  return static_cast<std::uint32_t>(std::ranges::find(files, file, &StdlibFile::name) - files.begin());
+}
+
+}  // namespace
+
 SourceId TemplateLibrary::source(std::string_view name) {
   if (const auto found = loaded_.find(name); found != loaded_.end()) return found->second;
-  const SourceId id =
-      sources_->add(fmt::format("plugc:/templates/{}", name), std::string(stdlib_text(fmt::format("templates/{}", name))));
+  const std::string file = fmt::format("templates/{}", name);
+  const SourceId id = sources_->add_fixed(file_number(file), fmt::format("plugc:/{}", file), stdlib_text(file));
   loaded_.emplace(name, id);
   return id;
 }
 
-std::shared_ptr<const CodeUnit> TemplateLibrary::get(std::string_view name, ShaderStage stage, const Features& features,
-                                                     int number) {
-  const auto [found, added] = made_.try_emplace(Key{std::string(name), stage, features, number});
-  if (added) {
-    MappedText text = cut_template(*sources_, source(name), features);
+std::shared_ptr<const CodeUnit> TemplateLibrary::get(std::string_view name, const Features& features, int number) {
+  const SourceId id = source(name);
+  return form_cache().get(form_key(name, features, number), [&] {
+    MappedText text = cut_template(*sources_, id, features);
     if (number >= 0) text = number_names(text, number);
-    found->second = make_template_unit(std::move(text));
-  }
-  return found->second;
+    return make_template_unit(std::move(text));
+  });
 }
 
 }  // namespace plugc

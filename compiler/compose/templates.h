@@ -23,7 +23,7 @@ class Features {
   Features(std::initializer_list<std::string_view> names) : names_(names) {}
   void insert(std::string_view name) { names_.push_back(name); }
   bool contains(std::string_view name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
-  auto operator<=>(const Features&) const = default;
+  const std::vector<std::string_view>& names() const { return names_; }
 
  private:
   std::vector<std::string_view> names_;
@@ -35,25 +35,18 @@ MappedText cut_template(const SourceSet& sources, SourceId source, const Feature
 /// The text with its N names numbered.
 MappedText number_names(const MappedText& text, int number);
 
-/// Hands out cut, numbered and outlined templates, each form made once.
+/// Hands out cut, numbered and outlined templates. Each form is made once in a process, whoever asks: it depends on nothing
+/// else, and takes half of the time of composing a small scene. A source set gets a template's text when it is first asked for.
 class TemplateLibrary {
  public:
   explicit TemplateLibrary(SourceSet& sources) : sources_(&sources) {}
   /// `name` without folder, e.g. `phong.frag`; `number` -1 for none.
-  std::shared_ptr<const CodeUnit> get(std::string_view name, ShaderStage stage, const Features& features, int number = -1);
+  std::shared_ptr<const CodeUnit> get(std::string_view name, const Features& features, int number = -1);
 
  private:
-  struct Key {
-    std::string name;
-    ShaderStage stage;
-    Features features;
-    int number;
-    auto operator<=>(const Key&) const = default;
-  };
   SourceId source(std::string_view name);
   SourceSet* sources_;
   std::map<std::string, SourceId, std::less<>> loaded_;
-  std::map<Key, std::shared_ptr<const CodeUnit>> made_;
 };
 
 }  // namespace plugc

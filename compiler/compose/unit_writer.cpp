@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "compose/geometry_layout.h"
+#include "compose/precision.h"
 #include "compose/prototype_text.h"
 #include "compose/struct_text.h"
 #include "glsl/edit.h"
@@ -26,9 +27,7 @@ class UnitWriter {
         code_(*unit.code),
         text_(unit.code->text.text()),
         declared_(declared),
-        no_name_changes_(composition.owners[unit.owner].keeps_names_in(unit.stage) &&
-                         (unit.stage != ShaderStage::fragment || composition.passed.empty()) &&
-                         (unit.scope.kind != ScopeKind::light || composition.owners[unit.owner].kind != OwnerKind::effect)) {}
+        no_name_changes_(composition.keeps_names(unit)) {}
 
   MappedText write();
 
@@ -47,6 +46,7 @@ class UnitWriter {
   std::string declarator_text(const GlobalOutline& global) const;
   bool loses_initializer(const GlobalOutline& global) const;
   void remove_initializer(const GlobalOutline& global);
+  void write_precision(const GlobalOutline& global);
   void write_markers();
   void write_calls(const MarkerOutline& marker, const std::vector<PlugCall>& calls);
   void write_forward_declarations();
@@ -115,7 +115,9 @@ void UnitWriter::remove_hoisted() {
 bool UnitWriter::is_repeated(const GlobalOutline& global) {
   // the arrays of a geometry stage's inputs have all one size, whether or not it is written
   const bool sized_by_layout = unit_.stage == ShaderStage::geometry && global.storage == Storage::in;
-  std::string text = fmt::format("{} {}{}", static_cast<int>(global.storage), global.type, sized_by_layout ? "" : global.array);
+  std::string text(1, static_cast<char>('0' + static_cast<int>(global.storage)));
+  text.append(1, ' ').append(global.type);
+  if (!sized_by_layout) text.append(global.array);
   const bool has_value = global.storage != Storage::uniform && global.initializer_end > global.initializer_begin;
   if (has_value) text += " = " + token_line(code_, global.initializer_begin, global.initializer_end);
   const auto [found, added] = declared_.globals.try_emplace(final_name(global.name));
@@ -166,6 +168,15 @@ void UnitWriter::remove_initializer(const GlobalOutline& global) {
   if (equals != std::string_view::npos) replace(static_cast<std::uint32_t>(equals), global.initializer_end, "");
 }
 
+/// The precision that all stages have for a uniform.
+void UnitWriter::write_precision(const GlobalOutline& global) {
+  if (c_.precisions.empty() || global.storage != Storage::uniform || is_removed(global.begin)) return;
+  const auto wanted = c_.precisions.find(final_name(global.name));
+  const auto word = precision_word(code_, global);
+  if (wanted != c_.precisions.end() && word && code_.at(*word) != wanted->second)
+    replace(word->begin, word->end, std::string(wanted->second));
+}
+
 /// A repeated `struct S {...};` goes; of a repeated `struct S {...} a;` the variable's type stays.
 void UnitWriter::remove_struct(const StructOutline& type) {
   if (type.storage != Storage::none || type.name.empty()) return;
@@ -192,6 +203,7 @@ void UnitWriter::remove_repeated() {
     }
     rewrite_declaration(declarators, repeated);
     for (const GlobalOutline* declarator : declarators) remove_initializer(*declarator);
+    write_precision(*declarators.front());
     i += count;
   }
   for (const StructOutline& type : code_.outline.structs) remove_struct(type);

@@ -29,6 +29,8 @@ class Assembler {
   std::uint32_t add_image(const std::shared_ptr<const Image>& image);
   std::uint32_t add_texture(const SceneTexture& texture, const std::shared_ptr<const Image>& image);
   std::map<const Mesh*, std::uint32_t> add_meshes(const SceneParts& parts);
+  std::uint32_t add_mesh(const Mesh& mesh, std::uint32_t units);
+  std::unique_ptr<PackedEffectT> pack_effect(const LibraryEntry& entry, const std::vector<std::uint32_t>& programs);
 
   PackageT package_;
   SourceList sources_;
@@ -82,6 +84,23 @@ std::uint32_t coordinate_units(const ValidRecipe& program) {
   return units;
 }
 
+bool are_equal(const PackedMeshT& a, const PackedMeshT& b) {
+  const auto streams_equal = [](const PackedStream& x, const PackedStream& y) {
+    return std::tuple(x.semantic(), x.unit(), x.components(), x.offset()) ==
+           std::tuple(y.semantic(), y.unit(), y.components(), y.offset());
+  };
+  return a.topology == b.topology && a.stride == b.stride && std::ranges::equal(a.streams, b.streams, streams_equal) &&
+         a.vertices == b.vertices && a.indices == b.indices;
+}
+
+std::uint32_t Assembler::add_mesh(const Mesh& mesh, std::uint32_t units) {
+  auto packed = pack_mesh(mesh, units);
+  const auto same = std::ranges::find_if(package_.meshes, [&](const auto& known) { return are_equal(*known, *packed); });
+  const auto index = static_cast<std::uint32_t>(same - package_.meshes.begin());
+  if (same == package_.meshes.end()) package_.meshes.push_back(std::move(packed));
+  return index;
+}
+
 std::map<const Mesh*, std::uint32_t> Assembler::add_meshes(const SceneParts& parts) {
   std::map<const Mesh*, std::uint32_t> units;
   for (const ShapePlan& plan : parts.shapes) {
@@ -93,8 +112,7 @@ std::map<const Mesh*, std::uint32_t> Assembler::add_meshes(const SceneParts& par
   std::map<const Mesh*, std::uint32_t> indices;
   for (const ShapePlan& plan : parts.shapes) {  // in the order of the shapes, so that the bytes do not depend on addresses
     if (!units.contains(plan.mesh.get()) || indices.contains(plan.mesh.get())) continue;
-    indices[plan.mesh.get()] = static_cast<std::uint32_t>(package_.meshes.size());
-    package_.meshes.push_back(pack_mesh(*plan.mesh, units[plan.mesh.get()]));
+    indices[plan.mesh.get()] = add_mesh(*plan.mesh, units[plan.mesh.get()]);
   }
   return indices;
 }
@@ -272,6 +290,29 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
   return packed;
 }
 
+std::unique_ptr<PackedEffectT> Assembler::pack_effect(const LibraryEntry& entry, const std::vector<std::uint32_t>& programs) {
+  auto packed = std::make_unique<PackedEffectT>();
+  packed->name = entry.name;
+  packed->origin = std::make_unique<PackedLineOrigin>(sources_.origin(entry.span));
+  packed->scene = static_cast<std::uint32_t>(package_.scenes.size());
+  packed->needs = entry.needs;
+  packed->offers = entry.offers;
+  for (const LibraryEntry::Field& field : entry.fields) {
+    packed->fields.push_back(std::make_unique<PackedEffectFieldT>());
+    packed->fields.back()->name = field.name;
+    packed->fields.back()->slot = field.slot;
+  }
+  for (const LibraryEntry::Variant& variant : entry.variants) {
+    const std::uint32_t program = programs[static_cast<std::size_t>(variant.program)];
+    if (program == kNothing) continue;
+    packed->kinds.push_back(std::make_unique<PackedEffectKindT>());
+    packed->kinds.back()->name = variant.kind;
+    packed->kinds.back()->choice = static_cast<std::uint32_t>(variant.choice);
+    packed->kinds.back()->program = program;
+  }
+  return packed;
+}
+
 void Assembler::add_scene(SceneParts& parts) {
   const Scene& scene = parts.scene;
   auto packed = std::make_unique<PackedSceneT>();
@@ -296,6 +337,7 @@ void Assembler::add_scene(SceneParts& parts) {
     });
     if (drawn) packed->shapes.push_back(pack_shape(parts, i, meshes.at(plan.mesh.get()), {programs, textures}));
   }
+  if (parts.library) package_.effects.push_back(pack_effect(*parts.library, programs));
   package_.scenes.push_back(std::move(packed));
 }
 

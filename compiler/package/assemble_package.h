@@ -30,6 +30,25 @@ struct ShapePlan {
   bool blended = false;
 };
 
+/// An effect of a library, whose scene is it alone on the built-in stage.
+struct LibraryEntry {
+  /// A program for a kind of shape.
+  struct Variant {
+    std::string kind;
+    std::size_t choice = 0;  ///< Of the stage's Switch, for the first geometry.
+    int program = -1;        ///< Into SceneParts::programs.
+  };
+  struct Field {
+    std::string name;
+    std::uint32_t slot = kSceneNoSlot;
+  };
+  std::string name;
+  Span span;
+  std::vector<std::string> needs, offers;  ///< Plugs that it fills, and that its own code has markers for.
+  std::vector<Field> fields;
+  std::vector<Variant> variants;
+};
+
 /// One scene, ready to be packed.
 struct SceneParts {
   Scene scene;
@@ -37,6 +56,7 @@ struct SceneParts {
   std::vector<ShapePlan> shapes;                     ///< By shape of the scene.
   std::vector<ValidRecipe> programs;
   std::vector<std::string> program_names;  ///< By program: its recipe as text.
+  std::optional<LibraryEntry> library;
 };
 
 /// Programs, meshes and images that are equal byte for byte are stored once, whichever scene they come from.

@@ -250,6 +250,11 @@ std::uint32_t SourceList::index(SourceId source) {
   return found->second;
 }
 
+PackedLineOrigin SourceList::origin(const Span& span) {
+  if (!span.valid()) return {0, 0};
+  return {index(span.source), sources_->line(span.source, span.begin)};
+}
+
 std::vector<PackedLineOrigin> SourceList::origins(const MappedText& text) {
   std::vector<PackedLineOrigin> origins;
   const std::string_view all = text.text();
@@ -257,12 +262,24 @@ std::vector<PackedLineOrigin> SourceList::origins(const MappedText& text) {
     const std::size_t end = std::min(all.find('\n', begin), all.size());
     const std::size_t word = std::min(all.find_first_not_of(" \t\r", begin), end);
     const Span span = word < end ? text.locate(static_cast<std::uint32_t>(word), static_cast<std::uint32_t>(end)) : Span{};
-    origins.push_back(span.valid() ? PackedLineOrigin(index(span.source), sources_->position(span.source, span.begin).line)
-                                   : PackedLineOrigin(0, 0));
+    origins.push_back(origin(span));
     begin = end + 1;
   }
   return origins;
 }
+
+namespace {
+
+/// What the uniform's declaration gives it; nothing where that does not fit its type.
+std::vector<double> initial_of(const ValidRecipe& recipe, std::string_view name, std::size_t numbers) {
+  for (const TargetProgram& target : recipe.targets) {
+    const auto field = std::ranges::find(target.composed.fields, name, &FieldUniform::name);
+    if (field != target.composed.fields.end() && field->initial.size() == numbers) return field->initial;
+  }
+  return {};
+}
+
+}  // namespace
 
 std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::string name, SourceList& sources) {
   PLUGC_CHECK(!recipe.targets.empty(), "only valid programs are packed");
@@ -276,6 +293,7 @@ std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::str
     uniform->name = variable.name;
     uniform->type = pack_type(variable.type);
     uniform->count = variable.count;
+    uniform->initial = initial_of(recipe, variable.name, variable.count * component_count(uniform->type));
     packed->uniforms.push_back(std::move(uniform));
   }
   for (const ReflectedVariable& variable : of_all_targets(recipe, &ValidatedProgram::attributes))
@@ -293,6 +311,9 @@ std::string program_content(const ValidRecipe& recipe) {
       content += static_cast<char>('0' + static_cast<int>(stage.stage));
       content += stage.text.text();
       content += '\0';
+    }
+    for (const FieldUniform& field : target.composed.fields) {
+      for (const double number : field.initial) content.append(reinterpret_cast<const char*>(&number), sizeof number);
     }
   }
   return content;

@@ -15,6 +15,7 @@ class SourceList {
  public:
   SourceList(const SourceSet& sources, std::vector<std::string>& names) : sources_(&sources), names_(&names) {}
   std::vector<PackedLineOrigin> origins(const MappedText& text);
+  PackedLineOrigin origin(const Span& span);
 
  private:
   std::uint32_t index(SourceId source);

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <initializer_list>
 
 namespace plugc {
 namespace {
@@ -46,13 +47,13 @@ std::string check_header(const Header& header, std::size_t buffer_size) {
   return {};
 }
 
-/// A program, seen only as far as its lists of strings.
-struct ProgramStringLists : private flatbuffers::Table {
-  /// Adds the strings of both lists to `count`.
-  bool count(flatbuffers::Verifier& verifier, std::size_t& count) const {
+/// A program or an effect, seen only as far as its lists of strings.
+struct StringLists : private flatbuffers::Table {
+  /// Adds the strings of all those lists to `count`.
+  bool count(flatbuffers::Verifier& verifier, std::initializer_list<flatbuffers::voffset_t> fields, std::size_t& count) const {
     using Strings = flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>;
     if (!VerifyTableStart(verifier)) return false;
-    for (const auto field : {PackedProgram::VT_PLUGS_FILLED, PackedProgram::VT_PLUGS_EMPTY}) {
+    for (const flatbuffers::voffset_t field : fields) {
       const auto* list = VerifyOffset(verifier, field) ? GetPointer<const Strings*>(field) : nullptr;
       if (!verifier.VerifyVector(list)) return false;
       count += list != nullptr ? list->size() : 0;
@@ -65,16 +66,24 @@ struct ProgramStringLists : private flatbuffers::Table {
 /// strings together must fit into the buffer.
 struct StringListBudget : private flatbuffers::Table {
   bool Verify(flatbuffers::Verifier& verifier) const {
-    using Programs = flatbuffers::Vector<flatbuffers::Offset<ProgramStringLists>>;
-    if (!VerifyTableStart(verifier) || !VerifyOffset(verifier, Package::VT_PROGRAMS)) return false;
-    const auto* programs = GetPointer<const Programs*>(Package::VT_PROGRAMS);
-    if (programs == nullptr || !verifier.VerifyVector(programs)) return false;
     std::size_t count = 0;
-    for (const auto* program : *programs) {
-      if (!program->count(verifier, count)) return false;
+    return VerifyTableStart(verifier) &&
+           add(verifier, Package::VT_PROGRAMS, {PackedProgram::VT_PLUGS_FILLED, PackedProgram::VT_PLUGS_EMPTY}, count) &&
+           add(verifier, Package::VT_EFFECTS, {PackedEffect::VT_NEEDS, PackedEffect::VT_OFFERS}, count) && verifier.EndTable();
+  }
+
+ private:
+  bool add(flatbuffers::Verifier& verifier, flatbuffers::voffset_t field, std::initializer_list<flatbuffers::voffset_t> lists,
+           std::size_t& count) const {
+    using Owners = flatbuffers::Vector<flatbuffers::Offset<StringLists>>;
+    if (!VerifyOffset(verifier, field)) return false;
+    const auto* owners = GetPointer<const Owners*>(field);
+    if (owners == nullptr || !verifier.VerifyVector(owners)) return false;
+    for (const auto* owner : *owners) {
+      if (!owner->count(verifier, lists, count)) return false;
       if (!verifier.Verify(0, count * sizeof(flatbuffers::uoffset_t))) return false;
     }
-    return verifier.EndTable();
+    return true;
   }
 };
 

@@ -102,7 +102,10 @@ bool check_target_program(PackageCheck& check, const PackedTargetProgram& progra
 bool check_uniform(PackageCheck& check, const PackedUniform& uniform, const Place& place) {
   if (uniform.name()->size() == 0) return check.fail(place, "it has no name");
   if (!is_enumerator(uniform.type())) return check.fail(place, "its type is unknown");
-  return uniform.count() != 0 || check.fail(place, "its array has no elements");
+  if (uniform.count() == 0) return check.fail(place, "its array has no elements");
+  const std::uint64_t numbers = std::uint64_t{uniform.count()} * component_count(uniform.type());
+  return uniform.initial()->size() == 0 || uniform.initial()->size() == numbers ||
+         check.fail(place, fmt::format("it starts with {} numbers, not {}", uniform.initial()->size(), numbers));
 }
 
 bool check_attribute(PackageCheck& check, const PackedAttribute& attribute, const Place& place) {
@@ -420,6 +423,19 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          scene.slot(place, "background color", packed.background_color(), 3);
 }
 
+bool check_effect(PackageCheck& check, const PackedEffect& effect, const Place& place) {
+  const auto& scenes = *check.package.scenes();
+  if (!check.require_index(place, "scene", effect.scene(), scenes.size())) return false;
+  SceneCheck scene{check, *scenes.Get(effect.scene())};
+  return check_origin(check, *effect.origin(), place) &&
+         check.each(
+             &place, "field", *effect.fields(),
+             [&](const PackedEffectField* field, const Place& at) { return scene.present_slot(at, "it", field->slot(), 1); }) &&
+         check.each(&place, "kind", *effect.kinds(), [&](const PackedEffectKind* kind, const Place& at) {
+           return check.require_index(at, "program", kind->program(), check.package.programs()->size());
+         });
+}
+
 }  // namespace
 
 std::uint32_t component_count(PackedValueType type) {
@@ -470,7 +486,9 @@ std::string check_package(const Package& package, std::size_t buffer_size) {
       check.each(nullptr, "texture", *package.textures(),
                  [&](const PackedTexture* texture, const Place& at) { return check_texture(check, *texture, at); }) &&
       check.each(nullptr, "scene", *package.scenes(),
-                 [&](const PackedScene* scene, const Place& at) { return check_scene(check, *scene, at); });
+                 [&](const PackedScene* scene, const Place& at) { return check_scene(check, *scene, at); }) &&
+      check.each(nullptr, "effect", *package.effects(),
+                 [&](const PackedEffect* effect, const Place& at) { return check_effect(check, *effect, at); });
   return check.error;
 }
 

@@ -80,7 +80,11 @@ void dump_program(Text& text, const PackedProgram& program, std::size_t index) {
   }
   for (const auto* uniform : *program.uniforms()) {
     const std::string array = uniform->count() == 1 ? "" : fmt::format("[{}]", uniform->count());
-    line(text, "  uniform {} {}{}", word(EnumNamePackedUniformType(uniform->type())), uniform->name()->string_view(), array);
+    const auto& initial = *uniform->initial();
+    const std::string starts =
+        initial.size() == 0 ? "" : fmt::format(" = {}", fmt::join(initial.data(), initial.data() + initial.size(), " "));
+    line(text, "  uniform {} {}{}{}", word(EnumNamePackedUniformType(uniform->type())), uniform->name()->string_view(), array,
+         starts);
   }
   for (const auto* attribute : *program.attributes()) {
     line(text, "  attribute {}: {} {}", attribute->name()->string_view(), EnumNamePackedSemantic(attribute->semantic()),
@@ -228,6 +232,16 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   each(*scene.viewpoints(), [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, viewpoint, i); });
 }
 
+void dump_effect(Text& text, const PackedEffect& effect, std::size_t index) {
+  line(text, "effect {} {}: scene {}, source {} line {}", index, quoted(*effect.name()), effect.scene(),
+       effect.origin()->source(), effect.origin()->line());
+  line(text, "  needs:{}", quoted(*effect.needs()));
+  line(text, "  offers:{}", quoted(*effect.offers()));
+  for (const auto* field : *effect.fields()) line(text, "  field {}: slot {}", quoted(*field->name()), field->slot());
+  for (const auto* kind : *effect.kinds())
+    line(text, "  kind {}: choice {}, program {}", quoted(*kind->name()), kind->choice(), kind->program());
+}
+
 }  // namespace
 
 std::string dump_package(const Package& package) {
@@ -240,6 +254,7 @@ std::string dump_package(const Package& package) {
   each(*package.images(), [&](const PackedImage& image, std::size_t i) { dump_image(text, image, i); });
   each(*package.textures(), [&](const PackedTexture& texture, std::size_t i) { dump_texture(text, texture, i); });
   each(*package.scenes(), [&](const PackedScene& scene, std::size_t i) { dump_scene(text, package, scene, i); });
+  each(*package.effects(), [&](const PackedEffect& effect, std::size_t i) { dump_effect(text, effect, i); });
   return fmt::to_string(text);
 }
 

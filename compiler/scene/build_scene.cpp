@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "scene/library_effects.h"
 #include "scene/scene_context.h"
 
 namespace plugc {
@@ -52,8 +53,11 @@ class SceneWalk {
   explicit SceneWalk(SceneContext& context) : context_(context), graph_(context.graph) {}
 
   void run() {
-    check_top(graph_.roots());
-    visit_list(graph_.roots());
+    const bool alone = context_.options.alone.valid();
+    const std::vector<NodeId> stage = alone ? library_stage_roots(graph_) : std::vector<NodeId>();
+    const std::span<const NodeId> roots = alone ? std::span<const NodeId>(stage) : graph_.roots();
+    check_top(roots);
+    visit_list(roots);
     if (context_.options.all_branches) add_unreached_effects();
     add_headlight(context_, navigation_info_);
     context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
@@ -64,6 +68,7 @@ class SceneWalk {
       if (shape.fog == kBoundFog) shape.fog = bound_fog_.value_or(-1);
     }
     finish_lights(context_, receives_);
+    if (alone) place_alone(context_);
   }
 
  private:

@@ -30,6 +30,8 @@ struct Slot {
   std::string name;      ///< `DEF.field`, or empty.
   bool routed = false;   ///< Some ROUTE writes it, or the host may.
   bool dynamic = false;  ///< The host may write it by its name.
+  /// An earlier slot that always holds the same: it starts alike, and the same events reach both.
+  std::uint32_t mirrors = kSceneNoSlot;
 };
 
 /// Object to parent space, X3D 4.1 clause 10.4.4. Fields are slots.
@@ -233,6 +235,7 @@ struct Scene {
 /// The shapes of a graph. With `all_branches` (lint), every child of a Switch and every disabled effect is taken too.
 struct SceneOptions {
   bool all_branches = false;
+  NodeId alone = {};  ///< Only this effect, on the appended stage of library_stage.h; the rest of the graph takes no part.
   std::vector<std::string> dynamic = {};  ///< `DEF.field`: fields that the host may change, besides those that a ROUTE writes.
 };
 Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files, const SceneOptions& options,

@@ -251,7 +251,8 @@ int effect_index(SceneContext& context, NodeId node) {
   if (const auto found = context.effects.find(node); found != context.effects.end()) return found->second;
   int& index = context.effects[node] = -1;
   const bool switchable = context.slots.may_change(node, "enabled");
-  if (!switchable && !context.options.all_branches && !context.graph.boolean(node, "enabled")) return -1;
+  if (!switchable && !context.options.all_branches && !context.options.alone.valid() && !context.graph.boolean(node, "enabled"))
+    return -1;
   if (!is_glsl(context, node, "an effect")) return -1;
   SceneEffect effect = read_shader_node(context, node);
   effect.warn_missing_uniforms = context.graph.string(node, "uniformMissing") != "IGNORE";

@@ -40,7 +40,7 @@ std::uint32_t component_count(SlotType type) {
 
 SlotTable::SlotTable(const NodeGraph& graph, std::vector<Slot>& slots, const std::vector<DynamicField>& dynamic)
     : graph_(graph), slots_(slots) {
-  for (const GraphRoute& route : graph.routes()) routed_.emplace(route.to, route.to_field);
+  for (const GraphRoute& route : graph.routes()) routed_[{route.to, route.to_field}].emplace(route.from, route.from_field);
   for (const DynamicField& field : dynamic) dynamic_.emplace(field.node, field.name);
 }
 
@@ -61,10 +61,20 @@ std::uint32_t SlotTable::add(NodeId node, std::string_view field, const FieldVal
   slot.routed = may_change(node, field);
   slot.dynamic = dynamic_.contains({node, field});
   if (!graph_[node].def.empty()) slot.name = fmt::format("{}.{}", graph_[node].def, field);
+  slot.mirrors = find_mirrored(key, slot);
   slots_.push_back(std::move(slot));
   const auto index = static_cast<std::uint32_t>(slots_.size() - 1);
   known_.emplace(key, index);
   return index;
+}
+
+/// The first slot of that type that the same events reach and that starts with the same value. A host may part them.
+std::uint32_t SlotTable::find_mirrored(const Field& field, const Slot& slot) {
+  const auto senders = routed_.find(field);
+  if (senders == routed_.end() || slot.dynamic) return kSceneNoSlot;
+  const auto [first, added] =
+      by_senders_.try_emplace({senders->second, slot.values}, static_cast<std::uint32_t>(slots_.size()));
+  return added || slots_[first->second].type != slot.type ? kSceneNoSlot : first->second;
 }
 
 std::uint32_t SlotTable::slot(NodeId node, std::string_view field) {
@@ -83,7 +93,7 @@ std::uint32_t SlotTable::interface_slot(NodeId node, const InterfaceField& field
 
 std::uint32_t SlotTable::constant(SlotType type, std::vector<double> values) {
   const auto [found, added] = constants_.try_emplace({type, values}, static_cast<std::uint32_t>(slots_.size()));
-  if (added) slots_.push_back({type, 1, std::move(values), "", false, false});
+  if (added) slots_.push_back({type, 1, std::move(values), "", false, false, kSceneNoSlot});
   return found->second;
 }
 

@@ -34,7 +34,11 @@ class SlotTable {
   std::uint32_t add(NodeId node, std::string_view field, const FieldValue& value);
   const NodeGraph& graph_;
   std::vector<Slot>& slots_;
-  std::set<std::pair<NodeId, std::string_view>> routed_, dynamic_;
+  using Field = std::pair<NodeId, std::string_view>;
+  std::uint32_t find_mirrored(const Field& field, const Slot& slot);
+  std::map<Field, std::set<Field>> routed_;  // with the fields that send to them
+  std::set<Field> dynamic_;
+  std::map<std::pair<std::set<Field>, std::vector<double>>, std::uint32_t> by_senders_;
   std::map<std::pair<NodeId, std::string_view>, std::uint32_t> known_;
   std::map<std::pair<SlotType, std::vector<double>>, std::uint32_t> constants_;
 };

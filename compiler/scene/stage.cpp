@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 namespace plugc {
-namespace {
 
 std::string_view stage_geometry(std::string_view name) {
   if (name == "sphere") return "Sphere { radius 1.2 }";
@@ -12,8 +11,6 @@ std::string_view stage_geometry(std::string_view name) {
     return "ElevationGrid { xDimension 2 zDimension 2 xSpacing 4 zSpacing 4 height [ 0 0 0 0 ] solid FALSE }";
   return "Teapot { }";
 }
-
-}  // namespace
 
 std::string stage_scene(std::string_view name) {
   return fmt::format(R"(#X3D V4.0 utf8

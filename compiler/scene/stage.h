@@ -10,4 +10,7 @@ namespace plugc {
 /// they reach any shape. `name` is teapot, sphere, box or plane.
 std::string stage_scene(std::string_view name);
 
+/// The geometry node of that name.
+std::string_view stage_geometry(std::string_view name);
+
 }  // namespace plugc

@@ -96,6 +96,7 @@ CompileOptions read_options(const CaseFile& file) {
     std::string value;
     stream >> word >> value;
     if (word == "lint") options.for_lint = true;
+    if (word == "library") options.library = true;
     if (word == "stage") options.stage = value;
     if (word == "dynamic") options.dynamic.push_back(value);
     if (word == "target") targets.push_back(target_named(value).value());
@@ -194,6 +195,26 @@ std::string graph_text(const fs::path& scene, const CompileOptions& options) {
   return std::regex_replace(dump_stage(scene, "scene", options, sources, diagnostics), place, "");
 }
 
+std::string words(const flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>& list) {
+  std::string text;
+  for (const auto* word : list) text += (text.empty() ? "" : " ") + word->str();
+  return text.empty() ? "nothing" : text;
+}
+
+/// What a library says of its effects.
+void expect_effects(const Compiled& compiled, const CaseSection& section) {
+  std::vector<std::string> found;
+  for (const PackedEffect* effect : *compiled.package->effects()) {
+    std::string line =
+        fmt::format("{} needs {}; offers {}", effect->name()->string_view(), words(*effect->needs()), words(*effect->offers()));
+    for (const PackedEffectKind* kind : *effect->kinds()) line += fmt::format("; {}", kind->name()->string_view());
+    found.push_back(line);
+  }
+  std::vector<std::string> expected = section.lines;
+  std::erase(expected, "");
+  EXPECT_EQ(found, expected) << "line " << section.line;
+}
+
 void expect_section(const Compiled& compiled, const CaseSection& section) {
   const std::string& kind = section.title.front();
   if (kind == "vertex")
@@ -204,6 +225,8 @@ void expect_section(const Compiled& compiled, const CaseSection& section) {
     expect_stage(compiled, PackedStageKind::fragment, section);
   else if (kind == "pixels")
     expect_pixels(compiled, section);
+  else if (kind == "effects")
+    expect_effects(compiled, section);
   else if (kind == "programs")
     EXPECT_EQ(std::to_string(compiled.package->programs()->size()), section.lines.at(0));
   else if (kind != "file" && kind != "scene" && kind != "image" && kind != "options" && kind != "diagnostics" &&

@@ -58,7 +58,9 @@ Outcome observe_outcome(const std::string& text) {
   files.files["white.png"] = white_png();
   const SourceId source = sources.add("scene.x3dv", text);
   const NodeGraph graph = build_graph(read_document(source, sources, diagnostics), "scene.x3dv", sources, files, diagnostics);
-  const PreparedScene prepared = prepare_scene(graph, build_scene(graph, sources, files, {}, diagnostics), files, diagnostics);
+  MeshCache meshes;
+  const PreparedScene prepared =
+      prepare_scene(graph, build_scene(graph, sources, files, {}, diagnostics), files, diagnostics, meshes);
   TemplateLibrary templates(sources);
   const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
   std::vector<ProgramTrace> traces;

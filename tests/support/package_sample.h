@@ -106,6 +106,20 @@ inline PackedSceneT sample_scene() {
   return scene;
 }
 
+inline PackedEffectT sample_effect() {
+  PackedEffectT effect;
+  effect.name = "Fresnel";
+  effect.origin = std::make_unique<PackedLineOrigin>(1, 7);
+  effect.needs = {"fragment_modify"};
+  effect.offers = {"fresnel_change"};
+  effect.fields.push_back(std::make_unique<PackedEffectFieldT>());
+  effect.fields.back()->name = "power";
+  effect.fields.back()->slot = kSampleScalar;
+  effect.kinds.push_back(std::make_unique<PackedEffectKindT>());
+  effect.kinds.back()->name = "phong";
+  return effect;
+}
+
 inline PackageT sample_package() {
   PackageT package;
   package.generator = "plugc";
@@ -116,6 +130,7 @@ inline PackageT sample_package() {
   package.images.push_back(std::make_unique<PackedImageT>(sample_image()));
   package.textures.push_back(std::make_unique<PackedTextureT>());
   package.scenes.push_back(std::make_unique<PackedSceneT>(sample_scene()));
+  package.effects.push_back(std::make_unique<PackedEffectT>(sample_effect()));
   return package;
 }
 

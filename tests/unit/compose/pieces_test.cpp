@@ -42,10 +42,10 @@ TEST_F(TemplatesTest, LeavesOtherCapitalsAlone) {
 }
 
 TEST_F(TemplatesTest, AreMadeOnceForEachForm) {
-  const auto one = templates_.get("light.glsl", ShaderStage::fragment, {"SPOT"}, 0);
-  EXPECT_EQ(templates_.get("light.glsl", ShaderStage::fragment, {"SPOT"}, 0), one);
-  EXPECT_NE(templates_.get("light.glsl", ShaderStage::fragment, {"SPOT"}, 1), one);
-  EXPECT_NE(templates_.get("light.glsl", ShaderStage::fragment, {}, 0), one);
+  const auto one = templates_.get("light.glsl", {"SPOT"}, 0);
+  EXPECT_EQ(templates_.get("light.glsl", {"SPOT"}, 0), one);
+  EXPECT_NE(templates_.get("light.glsl", {"SPOT"}, 1), one);
+  EXPECT_NE(templates_.get("light.glsl", {}, 0), one);
 }
 
 TEST(PlugTable, ReadsParameters) {

@@ -93,6 +93,15 @@ TEST_F(StatesTest, MistakesAreToldWhereEachSwitchIsOn) {
   EXPECT_GE(states.recipes[states.states[0]].fuller, 0);
 }
 
+TEST_F(StatesTest, WhatTheSameEventsReachMovesTogether) {
+  light(true);
+  light(true);
+  scene_.slots.back().mirrors = scene_.lights[0].on;
+  const ShapeStates states = make();
+  EXPECT_EQ(states.recipes.size(), 2U);  // both on, both off
+  EXPECT_EQ(states.states.size(), 4U);
+}
+
 TEST_F(StatesTest, AShapeIsSeenOnlyInItsOwnBranch) {
   const std::uint32_t choice = slot({0}, SlotType::int_, true);
   shape_.transform = transform_under(choice, 1);

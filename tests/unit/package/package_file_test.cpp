@@ -246,6 +246,17 @@ TEST(PackageFile, ChecksVariantsAsItDoesShapes) {
             "scene 0, shape 0, variant 0, depth binding 0: the shape has no depth program");
 }
 
+TEST(PackageFile, ChecksEffectsOfALibrary) {
+  const auto after = [](const std::function<void(PackedEffectT&)>& change) {
+    return error_after([&](PackageT& p) { change(*p.effects[0]); });
+  };
+  EXPECT_EQ(after([](PackedEffectT& e) { e.scene = 1; }), "effect 0: scene 1 does not exist, there are 1");
+  EXPECT_EQ(after([](PackedEffectT& e) { *e.origin = {2, 1}; }), "effect 0: source 2 does not exist, there are 2");
+  EXPECT_EQ(after([](PackedEffectT& e) { e.fields[0]->slot = 3; }), "effect 0, field 0: it is slot 3, which does not exist");
+  EXPECT_EQ(after([](PackedEffectT& e) { e.kinds[0]->program = 2; }),
+            "effect 0, kind 0: program 2 does not exist, there are 2");
+}
+
 TEST(PackageFile, ChecksBindings) {
   const auto after = [](PackedBinding binding) {
     return error_after([&](PackageT& p) { p.scenes[0]->shapes[0]->bindings = {binding}; });
@@ -277,7 +288,9 @@ TEST(PackageFile, DumpsOneFactALine) {
         "  light 0 `Lamp`: spot, transform -1\n    slots: on -, color 0,",
         "  shape 0 `Kettle`: transform 1, mesh 0, program 0\n", "      color = slot a 0 b 0 scale 1\n", "    depth program 1\n",
         "    switch slot 1\n    switch light 0\n    variants by state 1 0 1 0\n    variant 1: program 1\n",
-        "  viewpoint 0 `Front` `from the front`: transform -1\n"}) {
+        "  viewpoint 0 `Front` `from the front`: transform -1\n",
+        "effect 0 `Fresnel`: scene 0, source 1 line 7\n  needs: `fragment_modify`\n  offers: `fresnel_change`\n"
+        "  field `power`: slot 1\n  kind `phong`: choice 0, program 0\n"}) {
     EXPECT_NE(dump.find(line), std::string::npos) << line << "is not in\n" << dump;
   }
 }

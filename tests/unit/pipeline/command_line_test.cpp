@@ -124,6 +124,31 @@ TEST(CommandLine, PreviewShowsAnotherState) {
   EXPECT_THAT(middle_of(folder, "blue.png"), IsColor(Color{0, 0, 255}));
 }
 
+constexpr std::string_view kLibrary = R"(#X3D V4.0 utf8
+DEF Tint Effect { language "GLSL" inputOutput SFColor tint 1 0.5 0 parts EffectPart { type "FRAGMENT" url "data:text/plain,
+uniform vec3 tint;
+void PLUG_fragment_modify(inout vec4 c) { c.rgb = tint; /* PLUG: after_tint (c) */ }" } }
+DEF Blue Effect { language "GLSL" parts EffectPart { type "LIGHT" url "data:text/plain,
+void PLUG_lighting_apply(inout vec4 color, const vec4 vertex_eye, const vec3 normal_eye) { color.rgb = vec3(0.0, 0.0, 1.0); }" } }
+)";
+
+TEST(CommandLine, AFolderOfEffectsIsALibrary) {
+  const SceneFolder folder;
+  folder.write("effects/all.x3dv", kLibrary);
+  EXPECT_EQ(run_plugc(folder, "build effects -o lib.plugpack").status, 0);
+  const Ended listed = run_plugc(folder, "inspect lib.plugpack");
+  EXPECT_EQ(listed.status, 0);
+  EXPECT_THAT(listed.out, HasSubstr("Tint (all.x3dv:2)\n  needs fragment_modify; offers after_tint\n  field tint = 1 0.5 0\n"));
+  EXPECT_THAT(listed.out, HasSubstr("Blue (all.x3dv:5)\n  needs lighting_apply; offers nothing\n"));
+  EXPECT_EQ(run_plugc(folder, "preview lib.plugpack -o first.png --size 32x32").status, 0);
+  EXPECT_THAT(middle_of(folder, "first.png"), IsColor(Color{255, 128, 0}));
+  EXPECT_EQ(run_plugc(folder, "preview lib.plugpack --effect Blue --on sphere -o blue.png --size 32x32").status, 0);
+  EXPECT_THAT(middle_of(folder, "blue.png"), IsColor(Color{0, 0, 255}));
+  const Ended missing = run_plugc(folder, "preview lib.plugpack --effect Green -o x.png");
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_THAT(missing.err, HasSubstr("there is no effect `Green`"));
+}
+
 TEST(CommandLine, APackageChangesOnlyWhatWasBuiltDynamic) {
   const SceneFolder folder;
   folder.write("scene.x3dv", kSwitched);

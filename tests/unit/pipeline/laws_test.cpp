@@ -2,6 +2,8 @@
 
 #include <fstream>
 
+#include <fmt/format.h>
+
 #include "package/package_file.h"
 #include "support/compile_text.h"
 #include "support/draw_package.h"
@@ -108,6 +110,42 @@ TEST(Laws, EffectsOfEqualCodeShareOneProgram) {
   EXPECT_THAT(compiled.messages(), IsEmpty());
   EXPECT_EQ(compiled.package->programs()->size(), 1U);
   EXPECT_EQ(compiled.package->scenes()->Get(0)->shapes()->size(), 2U);
+}
+
+TEST(Laws, TheOrderOfEqualRecipesIsNoMatter) {
+  const Compiled one = compile_text(two_boxes(kRed, kPaleRed));
+  const Compiled other = compile_text(two_boxes(kPaleRed, kRed));
+  EXPECT_EQ(program_texts(one), program_texts(other));
+}
+
+/// Two by two texels.
+constexpr std::string_view kPng =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAAAAABX3VL4AAAADklEQVR42mP4P41h2n8ACYQDK1KsyeEAAAAASUVORK5CYII=";
+
+TEST(Laws, AnEmptyEffectChangesNoProgramWhereverItStands) {
+  const std::string effect = " effects Effect { language \"GLSL\" }";
+  const auto scene = [](std::string_view light, std::string_view texture, std::string_view group) {
+    return fmt::format(
+        "#X3D V4.0 utf8\nSpotLight {{ location 0 0 5{} }}\nGroup {{ children [ {} Shape {{ appearance Appearance {{ "
+        "material Material {{ }} texture ImageTexture {{ url \"data:image/png;base64,{}\"{} }} }} geometry Box {{ }} "
+        "}} ] }}",
+        light, group, kPng, texture);
+  };
+  const auto without = program_texts(compile_text(scene("", "", "")));
+  EXPECT_EQ(program_texts(compile_text(scene(effect, "", ""))), without);
+  EXPECT_EQ(program_texts(compile_text(scene("", effect, ""))), without);
+  EXPECT_EQ(program_texts(compile_text(scene("", "", "Effect { language \"GLSL\" }"))), without);
+  EXPECT_FALSE(without.empty());
+}
+
+/// As each form of a template is made once in a process, whoever was first must not be seen in what others get.
+TEST(Laws, WhatWasCompiledBeforeIsNoMatter) {
+  const SceneFolder folder;
+  const auto scene = folder.write("scene.x3dv", kClassic);
+  const auto alone = compile_file(scene).bytes;
+  compile_text(two_boxes(kRed, kGreen));
+  compile_text(kXml, {}, "scene.x3d");
+  EXPECT_EQ(compile_file(scene).bytes, alone);
 }
 
 TEST(Laws, EffectsOfOtherCodeDoNot) {
