@@ -102,9 +102,14 @@ SceneParts compile_scene(LoadedScene loaded, const CompileOptions& options, File
   TemplateLibrary templates(sources);
   ValidationStatistics validation;
   const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
-  prepared.parts.programs = validate_states(prepared.recipes, input, options.targets, validator, diagnostics, validation);
+  prepared.parts.programs =
+      validate_states(prepared.recipes, input, {options.targets, options.optimize}, validator, diagnostics, validation);
   for (const ValidRecipe& program : prepared.parts.programs) {
     prepared.parts.program_names.push_back(to_text(program.used, prepared.parts.scene));
+  }
+  if (options.measure) {
+    for (const ValidRecipe& program : prepared.parts.programs)
+      prepared.parts.costs.push_back(measure_costs(program.used, input, options.targets.front(), sources, validator));
   }
   // from here no PLUG marker remains, every program is valid and named by what it holds
   add(validation, statistics);
@@ -121,7 +126,7 @@ std::vector<SceneParts> compile_library_file(SourceId source, const std::filesys
   const NodeGraph graph =
       build_graph(std::move(document), path, sources, files, diagnostics, read_document(stage, sources, diagnostics));
   ValidationStatistics validation;
-  auto parts = compile_library(graph, sources, files, options.targets, validator, diagnostics, validation);
+  auto parts = compile_library(graph, sources, files, {options.targets, options.optimize}, validator, diagnostics, validation);
   add(validation, statistics);
   return parts;
 }
@@ -168,7 +173,9 @@ Compilation compile(const std::vector<std::filesystem::path>& scenes, const Comp
   }
   report_unknown_dynamic(options.dynamic, parts, diagnostics);
   const PhaseTimer timer(compilation.statistics.assemble);
-  compilation.package = assemble_package(std::move(parts), sources, fmt::format("plugc {}", PLUGC_VERSION));
+  AssembledPackage assembled = assemble_package(std::move(parts), sources, fmt::format("plugc {}", PLUGC_VERSION));
+  compilation.package = std::move(assembled.package);
+  compilation.costs = std::move(assembled.costs);
   return compilation;
 }
 

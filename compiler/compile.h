@@ -15,6 +15,7 @@
 #include "base/diagnostics.h"
 #include "document/document.h"
 #include "package/assemble_package.h"
+#include "validate/measure_costs.h"
 #include "validate/validate.h"
 
 namespace plugc {
@@ -22,6 +23,8 @@ namespace plugc {
 struct CompileOptions {
   std::vector<Target> targets = {Target::glsl330};
   std::filesystem::path root;  ///< Folder that scenes may read; empty: default_root() of each.
+  bool optimize = false;       ///< Programs that do less and draw the same, in place of readable ones.
+  bool measure = false;        ///< Also find out what each effect costs (validate/measure_costs.h).
   bool for_lint = false;       ///< Every effect, also in branches that are not drawn.
   /// What a file with effects but no shapes is tried on: teapot, sphere, box, plane; empty: nothing is put under it.
   std::string stage;
@@ -43,6 +46,7 @@ struct CompileStatistics {
 struct Compilation {
   PackageT package;
   CompileStatistics statistics;
+  std::vector<ProgramCosts> costs;             ///< By program of the package, when they were asked for.
   std::set<std::filesystem::path> files_read;  ///< Scenes and all that they include: what the package depends on.
 };
 

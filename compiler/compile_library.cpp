@@ -42,7 +42,7 @@ class LibraryScene {
 
   void choose_kinds(const Diagnostics& diagnostics);
   void drop_other_kinds();
-  void validate(const std::vector<Target>& targets, Validator& validator, Diagnostics& diagnostics,
+  void validate(const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
                 ValidationStatistics& statistics);
   void describe();
 
@@ -99,12 +99,12 @@ void LibraryScene::drop_other_kinds() {
 }
 
 /// Of a plug that some kind lacks nothing is said, as long as another has it; and a mistake of all kinds is said once.
-void LibraryScene::validate(const std::vector<Target>& targets, Validator& validator, Diagnostics& diagnostics,
+void LibraryScene::validate(const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
                             ValidationStatistics& statistics) {
   Diagnostics heard(diagnostics.sources());
   std::vector<Recipe> recipes;
   for (const StateRecipe& one : prepared_.recipes) recipes.push_back(one.recipe);
-  parts().programs = validate_recipes(recipes, input(), targets, validator, heard, statistics);
+  parts().programs = validate_recipes(recipes, input(), options, validator, heard, statistics);
   std::set<std::string, std::less<>> filled;
   for (const ValidRecipe& program : parts().programs) {
     parts().program_names.push_back(to_text(program.used, parts().scene));
@@ -151,7 +151,7 @@ void LibraryScene::describe() {
 }  // namespace
 
 std::vector<SceneParts> compile_library(const NodeGraph& graph, SourceSet& sources, FileAccess& files,
-                                        const std::vector<Target>& targets, Validator& validator, Diagnostics& diagnostics,
+                                        const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
                                         ValidationStatistics& statistics) {
   std::vector<SceneParts> all;
   MeshCache meshes;
@@ -166,7 +166,7 @@ std::vector<SceneParts> compile_library(const NodeGraph& graph, SourceSet& sourc
     LibraryScene library(prepared, sources);
     library.choose_kinds(diagnostics);
     library.drop_other_kinds();
-    library.validate(targets, validator, diagnostics, statistics);
+    library.validate(options, validator, diagnostics, statistics);
     library.describe();
     all.push_back(std::move(prepared.parts));
   }

@@ -13,7 +13,7 @@ namespace plugc {
 
 /// One scene an effect, in the order of the file. `graph` holds the stage behind the library's own nodes.
 std::vector<SceneParts> compile_library(const NodeGraph& graph, SourceSet& sources, FileAccess& files,
-                                        const std::vector<Target>& targets, Validator& validator, Diagnostics& diagnostics,
+                                        const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
                                         ValidationStatistics& statistics);
 
 }  // namespace plugc

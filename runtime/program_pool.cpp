@@ -20,6 +20,10 @@ const PackedTargetProgram* find_target(const PackedProgram& program) {
   return nullptr;
 }
 
+bool is_read_by_glsl330(const PackedUniform& uniform) {
+  return (uniform.targets() >> static_cast<unsigned>(PackedTarget::glsl330) & 1U) != 0;
+}
+
 std::string title(const PackedProgram& program) {
   return "program `" + program.name()->str() + "`";
 }
@@ -85,7 +89,7 @@ void find_uniforms(const gl::Functions& gl, const PackedProgram& packed, LoadedP
   for (const PackedUniform* uniform : *packed.uniforms()) {
     LoadedUniform found{uniform->name()->str(), uniform->type(), uniform->count()};
     found.initial.assign(uniform->initial()->begin(), uniform->initial()->end());
-    found.location = gl::uniform_location(gl, loaded.program, found.name.c_str());
+    if (is_read_by_glsl330(*uniform)) found.location = gl::uniform_location(gl, loaded.program, found.name.c_str());
     if (gl::is_sampler(found.type) && found.location >= 0) {
       if (found.count > static_cast<std::uint32_t>(units_left)) {
         messages.add(title(packed) + " has more textures than the driver has units: `" + found.name + "` stays unset");

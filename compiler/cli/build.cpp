@@ -92,6 +92,7 @@ void add_build_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
   verb->add_option("--depfile", options->depfile, "Also write what the package depends on, for make and ninja");
   add_dynamic_option(*verb, options->common);
+  add_optimize_option(*verb, options->common);
   add_common_options(*verb, options->common);
   verb->footer(
       "Programs that are equal are stored once. An effect that does not compile is left out alone, with a message;\n"

@@ -79,10 +79,16 @@ void add_dynamic_option(CLI::App& verb, CommonOptions& options) {
       ->allow_extra_args(false);
 }
 
+void add_optimize_option(CLI::App& verb, CommonOptions& options) {
+  verb.add_flag("--optimize", options.optimize,
+                "Leave out of programs what does not reach the picture (spirv-opt, SPIRV-Cross); less readable");
+}
+
 CompileOptions compile_options(const CommonOptions& options) {
   CompileOptions compile;
   compile.dynamic = options.dynamic;
   compile.root = options.root;
+  compile.optimize = options.optimize;
   compile.targets.clear();
   for (const std::string& name : options.targets) {
     if (const auto target = target_named(name)) compile.targets.push_back(*target);

@@ -23,11 +23,14 @@ struct CommonOptions {
   std::string root;
   std::vector<std::string> targets = {"glsl330"};
   bool no_cache = false;
+  bool optimize = false;
   std::vector<std::string> dynamic;
 };
 void add_common_options(CLI::App& verb, CommonOptions& options);
 /// `--dynamic`, for the verbs that make packages.
 void add_dynamic_option(CLI::App& verb, CommonOptions& options);
+/// `--optimize`, for the same.
+void add_optimize_option(CLI::App& verb, CommonOptions& options);
 CompileOptions compile_options(const CommonOptions& options);
 /// Forks the validating worker: call it before any thread is started.
 Validator make_validator(const CommonOptions& options);

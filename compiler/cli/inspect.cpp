@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
+#include "cli/print_program.h"
 
 namespace plugc {
 namespace {
@@ -19,91 +20,35 @@ struct InspectOptions {
   std::string dump;
   std::string as;  // the encoding that the document is written in
   std::optional<std::size_t> program;
+  std::string format = "text";
 };
 
-std::string origin_text(const Package& package, const PackedLineOrigin& origin) {
-  if (origin.line() == 0) return "";
-  const std::string_view name = package.sources()->Get(origin.source())->string_view();
-  return fmt::format("{}:{}", name.substr(name.find_last_of('/') + 1), origin.line());
-}
-
-void print_stage(const Package& package, const PackedStage& stage) {
-  fmt::print("---- {} stage ----\n", EnumNamePackedStageKind(stage.kind()));
-  const std::string_view text = stage.text()->string_view();
-  std::size_t line = 0;
-  for (std::size_t begin = 0; begin < text.size(); ++line) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const bool known = stage.origins() != nullptr && line < stage.origins()->size();
-    const std::string origin =
-        known ? origin_text(package, *stage.origins()->Get(static_cast<flatbuffers::uoffset_t>(line))) : "";
-    fmt::print("{:>26} | {}\n", origin, text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-}
-
-void print_names(std::string_view title, const flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>* names) {
-  if (names == nullptr || names->size() == 0) return;
-  fmt::print("{}:", title);
-  for (const auto* name : *names) fmt::print(" {}", name->string_view());
-  fmt::print("\n");
-}
-
-/// The bindings of the first shape that has the program in some state; null when none has.
-const flatbuffers::Vector<const PackedBinding*>* find_bindings(const Package& package, std::size_t program) {
-  for (const PackedScene* scene : *package.scenes()) {
-    for (const PackedShape* shape : *scene->shapes()) {
-      for (std::uint32_t variant = 0; variant <= shape->variants()->size(); ++variant) {
-        const ShapePrograms use = shape_programs(*shape, static_cast<std::uint8_t>(variant));
-        if (use.program == program) return use.bindings;
-        if (use.depth_program >= 0 && static_cast<std::size_t>(use.depth_program) == program) return use.depth_bindings;
-      }
-    }
-  }
-  return nullptr;
-}
-
-/// Which source feeds a uniform, as the first shape that uses the program has it.
-void print_uniforms(const Package& package, const PackedProgram& program, std::size_t index) {
-  const auto* bindings = find_bindings(package, index);
-  for (std::size_t i = 0; i < program.uniforms()->size(); ++i) {
-    const PackedUniform* uniform = program.uniforms()->Get(static_cast<flatbuffers::uoffset_t>(i));
-    std::string fed = "nothing (keeps the value of its text, or 0)";
-    if (bindings != nullptr) {
-      for (const PackedBinding* binding : *bindings) {
-        if (binding->uniform() == i) fed = fmt::format("{} {}", EnumNamePackedSource(binding->source()), binding->a());
-      }
-    }
-    fmt::print("uniform {} {} <- {}\n", EnumNamePackedUniformType(uniform->type()), uniform->name()->string_view(), fed);
-  }
-}
-
-int print_program(const Package& package, std::size_t index) {
+int print_program(const Package& package, std::size_t index, const InspectOptions& options, const ProgramCosts* costs) {
   if (index >= package.programs()->size()) {
     fmt::print(stderr, "plugc: there is no program {}; the package has {}\n", index, package.programs()->size());
     return kBrokenUse;
   }
-  const PackedProgram* program = package.programs()->Get(static_cast<flatbuffers::uoffset_t>(index));
-  fmt::print("program {}: {}\n", index, program->recipe()->string_view());
-  print_names("plugs filled", program->plugs_filled());
-  print_names("plugs empty", program->plugs_empty());
-  print_uniforms(package, *program, index);
-  for (const PackedTargetProgram* target : *program->targets()) {
-    fmt::print("==== {} ====\n", EnumNamePackedTarget(target->target()));
-    for (const PackedStage* stage : *target->stages()) print_stage(package, *stage);
-  }
+  fmt::print("{}", options.format == "json" ? program_json(package, index, costs) : program_text(package, index, costs));
   return kFine;
 }
 
-/// The input as package bytes: read when it is a package, else compiled.
-std::vector<std::uint8_t> input_bytes(const InspectOptions& options, Validator& validator, SourceSet& sources,
-                                      Diagnostics& diagnostics) {
+/// A package with what can be said of its programs beside it.
+struct Inspected {
+  std::vector<std::uint8_t> bytes;
+  std::vector<ProgramCosts> costs;  ///< By program; empty when they were not asked for or cannot be known.
+};
+
+/// The input: read when it is a package, else compiled.
+Inspected read_input(const InspectOptions& options, Validator& validator, SourceSet& sources, Diagnostics& diagnostics) {
   if (is_package_file(options.input)) {
     std::ifstream stream(options.input, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return {{std::istreambuf_iterator<char>(stream), {}}, {}};
   }
   CompileOptions compile_with = compile_options(options.common);
+  compile_with.measure = options.program.has_value();
   compile_with.library = true;
-  return write_package(compile({options.input}, compile_with, validator, sources, diagnostics).package);
+  Compilation made = compile({options.input}, compile_with, validator, sources, diagnostics);
+  return {write_package(made.package), std::move(made.costs)};
 }
 
 std::string joined(const flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>& names) {
@@ -165,20 +110,23 @@ int inspect(const InspectOptions& options) {
     return report(diagnostics);
   }
   Validator validator = make_validator(options.common);
-  const std::vector<std::uint8_t> bytes = input_bytes(options, validator, sources, diagnostics);
+  const Inspected input = read_input(options, validator, sources, diagnostics);
   const int status = report(diagnostics);
-  const PackageView view = open_package(bytes);
+  const PackageView view = open_package(input.bytes);
   if (view.package == nullptr) {
     fmt::print(stderr, "plugc: {}: {}\n", options.input, view.error);
     return kInputErrors;
   }
   int printed = kFine;
   if (options.program) {
-    printed = print_program(*view.package, *options.program);
+    const std::size_t index = *options.program;
+    printed = print_program(*view.package, index, options, index < input.costs.size() ? &input.costs[index] : nullptr);
   } else if (options.dump == "package") {
     fmt::print("{}", dump_package(*view.package));
+  } else if (options.dump == "programs" && options.format == "json") {
+    fmt::print("{}", programs_json(*view.package));
   } else if (options.dump == "programs") {
-    for (std::size_t i = 0; i < view.package->programs()->size(); ++i) print_program(*view.package, i);
+    for (std::size_t i = 0; i < view.package->programs()->size(); ++i) print_program(*view.package, i, options, nullptr);
   } else {
     print_list(*view.package);
   }
@@ -197,11 +145,16 @@ void add_inspect_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"document", "scene", "recipes", "programs", "package"}));
   verb->add_option("--as", options->as, "With `--dump document`: the scene written again, as classic, xml or json")
       ->check(CLI::IsMember({"classic", "xml", "json"}));
-  verb->add_option("--program", options->program, "One composed program: its text with the origin of every line");
+  verb->add_option("--program", options->program,
+                   "One composed program: what feeds it, what each effect costs, and its text with the origin of every line");
+  verb->add_option("--format", options->format, "How to print programs: text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
   verb->add_option("--target", options->common.targets, "Dialects to compose for: glsl330, essl300, spirv")
       ->delimiter(',')
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
   add_dynamic_option(*verb, options->common);
+  add_optimize_option(*verb, options->common);
   add_common_options(*verb, options->common);
   verb->footer("Without an option the programs are listed.\n\nExample: plugc inspect scene.x3dv --program 0");
   verb->callback([options, &status] { status = inspect(*options); });

@@ -201,6 +201,7 @@ void add_preview_command(CLI::App& app, int& status) {
   verb->add_flag("--no-shadows", options->no_shadows, "Draw everything lit, to see what shadows do");
   verb->add_flag("--statistics", options->statistics, "Print draw calls, programs and shadow passes");
   add_dynamic_option(*verb, options->common);
+  add_optimize_option(*verb, options->common);
   add_common_options(*verb, options->common);
   verb->footer(
       "Draws on the CPU (OSMesa); no display is needed.\n\n"

@@ -22,10 +22,10 @@ class Assembler {
     package_.generator = std::move(generator);
   }
   void add_scene(SceneParts& parts);
-  PackageT take() { return std::move(package_); }
+  AssembledPackage take() { return {std::move(package_), std::move(costs_)}; }
 
  private:
-  std::uint32_t add_program(const ValidRecipe& recipe, const std::string& name);
+  std::uint32_t add_program(const SceneParts& parts, std::size_t index);
   std::uint32_t add_image(const std::shared_ptr<const Image>& image);
   std::uint32_t add_texture(const SceneTexture& texture, const std::shared_ptr<const Image>& image);
   std::map<const Mesh*, std::uint32_t> add_meshes(const SceneParts& parts);
@@ -33,17 +33,21 @@ class Assembler {
   std::unique_ptr<PackedEffectT> pack_effect(const LibraryEntry& entry, const std::vector<std::uint32_t>& programs);
 
   PackageT package_;
+  std::vector<ProgramCosts> costs_;
   SourceList sources_;
   std::map<std::string, std::uint32_t> programs_;  // by content
   std::map<const Image*, std::uint32_t> images_;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;  // by image and wrapping
 };
 
-std::uint32_t Assembler::add_program(const ValidRecipe& recipe, const std::string& name) {
+std::uint32_t Assembler::add_program(const SceneParts& parts, std::size_t index) {
+  const ValidRecipe& recipe = parts.programs[index];
   if (recipe.targets.empty()) return kNothing;
   const auto [found, added] =
       programs_.try_emplace(program_content(recipe), static_cast<std::uint32_t>(package_.programs.size()));
-  if (added) package_.programs.push_back(pack_program(recipe, name, sources_));
+  if (!added) return found->second;
+  package_.programs.push_back(pack_program(recipe, parts.program_names[index], sources_));
+  if (index < parts.costs.size()) costs_.push_back(parts.costs[index]);
   return found->second;
 }
 
@@ -196,7 +200,9 @@ bool has_known_bounds(const Recipe& recipe, const ValidRecipe& program) {
     return std::ranges::find(stages, ShaderStage::geometry, &StageText::stage) != stages.end();
   });
   if (has_geometry) return false;
-  return recipe.shader < 0 && !program.targets.front().composed.moves_vertices;
+  const bool moves_vertices =
+      std::ranges::any_of(program.targets, [](const TargetProgram& target) { return target.composed.moves_vertices; });
+  return recipe.shader < 0 && !moves_vertices;
 }
 
 /// Where the programs and textures of a scene lie in the package.
@@ -325,8 +331,7 @@ void Assembler::add_scene(SceneParts& parts) {
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
 
   std::vector<std::uint32_t> programs;
-  for (std::size_t i = 0; i < parts.programs.size(); ++i)
-    programs.push_back(add_program(parts.programs[i], parts.program_names[i]));
+  for (std::size_t i = 0; i < parts.programs.size(); ++i) programs.push_back(add_program(parts, i));
   std::vector<std::uint32_t> textures;
   for (std::size_t i = 0; i < scene.textures.size(); ++i) textures.push_back(add_texture(scene.textures[i], parts.images[i]));
   const auto meshes = add_meshes(parts);
@@ -343,7 +348,7 @@ void Assembler::add_scene(SceneParts& parts) {
 
 }  // namespace
 
-PackageT assemble_package(std::vector<SceneParts> scenes, const SourceSet& sources, std::string generator) {
+AssembledPackage assemble_package(std::vector<SceneParts> scenes, const SourceSet& sources, std::string generator) {
   Assembler assembler(sources, std::move(generator));
   for (SceneParts& scene : scenes) assembler.add_scene(scene);
   return assembler.take();

@@ -11,6 +11,7 @@
 #include "mesh/mesh.h"
 #include "package/package_file.h"
 #include "scene/scene.h"
+#include "validate/measure_costs.h"
 #include "validate/validate_recipes.h"
 
 namespace plugc {
@@ -57,9 +58,15 @@ struct SceneParts {
   std::vector<ValidRecipe> programs;
   std::vector<std::string> program_names;  ///< By program: its recipe as text.
   std::optional<LibraryEntry> library;
+  std::vector<ProgramCosts> costs;         ///< By program, when they were asked for.
+};
+
+struct AssembledPackage {
+  PackageT package;
+  std::vector<ProgramCosts> costs;  ///< By program of the package.
 };
 
 /// Programs, meshes and images that are equal byte for byte are stored once, whichever scene they come from.
-PackageT assemble_package(std::vector<SceneParts> scenes, const SourceSet& sources, std::string generator);
+AssembledPackage assemble_package(std::vector<SceneParts> scenes, const SourceSet& sources, std::string generator);
 
 }  // namespace plugc

@@ -36,9 +36,14 @@ PackedUniformType pack_type(std::string_view type) {
   return found == kTypes.end() ? PackedUniformType::float_ : found->second;
 }
 
+std::int32_t pack_number(std::uint32_t number) {
+  return number > INT32_MAX ? -1 : static_cast<std::int32_t>(number);
+}
+
 std::unique_ptr<PackedAttributeT> pack_attribute(const ReflectedVariable& variable) {
   auto attribute = std::make_unique<PackedAttributeT>();
   attribute->name = variable.name;
+  attribute->location = pack_number(variable.location);
   attribute->semantic = PackedSemantic::custom;
   if (variable.name == "castle_Vertex") attribute->semantic = PackedSemantic::position;
   if (variable.name == "castle_Normal") attribute->semantic = PackedSemantic::normal;
@@ -66,16 +71,96 @@ std::unique_ptr<PackedTargetProgramT> pack_target(const ValidatedProgram& progra
   return packed;
 }
 
-/// What the program of some target reads, each name once: an effect may be left out of one target alone.
-std::vector<ReflectedVariable> of_all_targets(const ValidRecipe& recipe,
-                                              const std::vector<ReflectedVariable>& (ValidatedProgram::*list)() const) {
+/// Numbers are those of the target that has some.
+void merge_numbers(ReflectedVariable& into, const ReflectedVariable& from) {
+  into.location = std::min(into.location, from.location);
+  into.binding = std::min(into.binding, from.binding);
+}
+
+/// The vertex inputs of all targets, each name once.
+std::vector<ReflectedVariable> all_attributes(const ValidRecipe& recipe) {
   std::vector<ReflectedVariable> all;
   for (const TargetProgram& target : recipe.targets) {
-    for (const ReflectedVariable& variable : (target.program.*list)()) {
-      if (std::ranges::find(all, variable.name, &ReflectedVariable::name) == all.end()) all.push_back(variable);
+    for (const ReflectedVariable& variable : target.program.attributes()) {
+      const auto same = std::ranges::find(all, variable.name, &ReflectedVariable::name);
+      same == all.end() ? all.push_back(variable) : merge_numbers(*same, variable);
     }
   }
   return all;
+}
+
+bool same_declaration(const ReflectedVariable& a, const ReflectedVariable& b) {
+  return a.name == b.name && a.type == b.type && a.count == b.count;
+}
+
+/// What composing noted of a uniform; what feeds a uniform without a note follows from its name.
+struct UniformNote {
+  const FieldUniform* field = nullptr;
+  const SwitchUniform* switched = nullptr;
+};
+
+UniformNote find_note(const ComposedProgram& program, std::string_view uniform) {
+  const auto field = std::ranges::find(program.fields, uniform, &FieldUniform::name);
+  const auto switched = std::ranges::find(program.switches, uniform, &SwitchUniform::name);
+  return {field == program.fields.end() ? nullptr : &*field, switched == program.switches.end() ? nullptr : &*switched};
+}
+
+bool same_field(const FieldUniform* a, const FieldUniform* b) {
+  if (a == nullptr || b == nullptr) return a == b;
+  return a->owner == b->owner && a->of_shader == b->of_shader && a->field == b->field;
+}
+
+bool same_switch(const SwitchUniform* a, const SwitchUniform* b) {
+  if (a == nullptr || b == nullptr) return a == b;
+  return a->of_light == b->of_light && a->index == b->index;
+}
+
+/// A uniform of the targets that read the same under its name.
+struct UniformOfTargets {
+  ReflectedVariable variable;
+  UniformNote fed;
+  unsigned targets = 0;  ///< As PackedUniform::targets.
+};
+
+/// An effect may be left out of one target alone; then a name may mean another effect's field there.
+std::vector<UniformOfTargets> all_uniforms(const ValidRecipe& recipe) {
+  std::vector<UniformOfTargets> all;
+  for (const TargetProgram& target : recipe.targets) {
+    const unsigned bit = 1U << static_cast<unsigned>(target.program.target());
+    for (const ReflectedVariable& variable : target.program.uniforms()) {
+      const UniformNote fed = find_note(target.composed, variable.name);
+      const auto same = std::ranges::find_if(all, [&](const UniformOfTargets& other) {
+        return same_declaration(other.variable, variable) && same_field(other.fed.field, fed.field) &&
+               same_switch(other.fed.switched, fed.switched);
+      });
+      if (same == all.end()) {
+        all.push_back({variable, fed, bit});
+      } else {
+        same->targets |= bit;
+        merge_numbers(same->variable, variable);
+      }
+    }
+  }
+  return all;
+}
+
+/// What the uniform's declaration gives it; nothing where that does not fit its type.
+std::vector<double> initial_of(const UniformOfTargets& uniform, PackedUniformType type) {
+  const FieldUniform* field = uniform.fed.field;
+  const bool fits = field != nullptr && field->initial.size() == uniform.variable.count * component_count(type);
+  return fits ? field->initial : std::vector<double>();
+}
+
+std::unique_ptr<PackedUniformT> pack_uniform(const UniformOfTargets& uniform) {
+  auto packed = std::make_unique<PackedUniformT>();
+  packed->name = uniform.variable.name;
+  packed->type = pack_type(uniform.variable.type);
+  packed->count = uniform.variable.count;
+  packed->targets = static_cast<std::uint8_t>(uniform.targets);
+  packed->initial = initial_of(uniform, packed->type);
+  packed->location = pack_number(uniform.variable.location);
+  packed->binding = pack_number(uniform.variable.binding);
+  return packed;
 }
 
 class Binder {
@@ -86,8 +171,8 @@ class Binder {
   std::vector<PackedBinding> bind();
 
  private:
-  void bind_uniform(std::uint32_t index, const ReflectedVariable& uniform);
-  bool bind_switch(std::uint32_t index, const ReflectedVariable& uniform);
+  void bind_uniform(std::uint32_t index, const UniformOfTargets& uniform);
+  void bind_switch(std::uint32_t index, const SwitchUniform& one);
   void bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& field);
   void bind_castle(std::uint32_t index, const CastleName& name);
   void bind_light(std::uint32_t index, PackedSource source, int number);
@@ -210,34 +295,22 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
   }
 }
 
-/// The uniforms under which the code of switched effects and lights stands.
-bool Binder::bind_switch(std::uint32_t index, const ReflectedVariable& uniform) {
-  for (const TargetProgram& target : recipe_.targets) {
-    const auto& switches = target.composed.switches;
-    const auto one = std::ranges::find(switches, uniform.name, &SwitchUniform::name);
-    if (one == switches.end()) continue;
-    if (one->of_light)
-      bind_light(index, PackedSource::light_on, one->index);
-    else
-      add(index, PackedSource::slot, c_.scene.effects[static_cast<std::size_t>(one->index)].enabled);
-    return true;
-  }
-  return false;
+/// A uniform under which the code of a switched effect or light stands.
+void Binder::bind_switch(std::uint32_t index, const SwitchUniform& one) {
+  if (one.of_light)
+    bind_light(index, PackedSource::light_on, one.index);
+  else
+    add(index, PackedSource::slot, c_.scene.effects[static_cast<std::size_t>(one.index)].enabled);
 }
 
-void Binder::bind_uniform(std::uint32_t index, const ReflectedVariable& uniform) {
-  if (bind_switch(index, uniform)) return;
-  for (const TargetProgram& target : recipe_.targets) {
-    const auto& fields = target.composed.fields;
-    const auto fed =
-        std::find_if(fields.begin(), fields.end(), [&](const FieldUniform& field) { return field.name == uniform.name; });
-    if (fed != fields.end()) return bind_field(index, uniform, *fed);
-  }
-  if (const auto castle = find_castle_name(uniform.name)) bind_castle(index, *castle);
+void Binder::bind_uniform(std::uint32_t index, const UniformOfTargets& uniform) {
+  if (uniform.fed.switched != nullptr) return bind_switch(index, *uniform.fed.switched);
+  if (uniform.fed.field != nullptr) return bind_field(index, uniform.variable, *uniform.fed.field);
+  if (const auto castle = find_castle_name(uniform.variable.name)) bind_castle(index, *castle);
 }
 
 std::vector<PackedBinding> Binder::bind() {
-  const auto uniforms = of_all_targets(recipe_, &ValidatedProgram::uniforms);
+  const std::vector<UniformOfTargets> uniforms = all_uniforms(recipe_);
   for (std::size_t i = 0; i < uniforms.size(); ++i) bind_uniform(static_cast<std::uint32_t>(i), uniforms[i]);
   return std::move(bindings_);
 }
@@ -268,19 +341,6 @@ std::vector<PackedLineOrigin> SourceList::origins(const MappedText& text) {
   return origins;
 }
 
-namespace {
-
-/// What the uniform's declaration gives it; nothing where that does not fit its type.
-std::vector<double> initial_of(const ValidRecipe& recipe, std::string_view name, std::size_t numbers) {
-  for (const TargetProgram& target : recipe.targets) {
-    const auto field = std::ranges::find(target.composed.fields, name, &FieldUniform::name);
-    if (field != target.composed.fields.end() && field->initial.size() == numbers) return field->initial;
-  }
-  return {};
-}
-
-}  // namespace
-
 std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::string name, SourceList& sources) {
   PLUGC_CHECK(!recipe.targets.empty(), "only valid programs are packed");
   auto packed = std::make_unique<PackedProgramT>();
@@ -288,16 +348,8 @@ std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::str
   packed->name = packed->recipe.substr(0, packed->recipe.find(';'));
   for (const TargetProgram& target : recipe.targets) packed->targets.push_back(pack_target(target.program, sources));
   const TargetProgram& first = recipe.targets.front();
-  for (const ReflectedVariable& variable : of_all_targets(recipe, &ValidatedProgram::uniforms)) {
-    auto uniform = std::make_unique<PackedUniformT>();
-    uniform->name = variable.name;
-    uniform->type = pack_type(variable.type);
-    uniform->count = variable.count;
-    uniform->initial = initial_of(recipe, variable.name, variable.count * component_count(uniform->type));
-    packed->uniforms.push_back(std::move(uniform));
-  }
-  for (const ReflectedVariable& variable : of_all_targets(recipe, &ValidatedProgram::attributes))
-    packed->attributes.push_back(pack_attribute(variable));
+  for (const UniformOfTargets& uniform : all_uniforms(recipe)) packed->uniforms.push_back(pack_uniform(uniform));
+  for (const ReflectedVariable& variable : all_attributes(recipe)) packed->attributes.push_back(pack_attribute(variable));
   packed->plugs_filled = first.composed.plugs_filled;
   packed->plugs_empty = first.composed.plugs_empty;
   return packed;
@@ -316,6 +368,8 @@ std::string program_content(const ValidRecipe& recipe) {
       for (const double number : field.initial) content.append(reinterpret_cast<const char*>(&number), sizeof number);
     }
   }
+  // Equal texts of two recipes may be fed differently from target to target: then their lists of uniforms differ.
+  for (const UniformOfTargets& uniform : all_uniforms(recipe)) content += static_cast<char>('0' + uniform.targets);
   return content;
 }
 

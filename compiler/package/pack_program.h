@@ -26,7 +26,7 @@ class SourceList {
 
 /// A ValidRecipe that has at least one target.
 std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::string name, SourceList& sources);
-/// All that makes two programs the same program: targets, stages, texts.
+/// All that makes two programs the same program: targets, stages, texts, and which targets share a uniform.
 std::string program_content(const ValidRecipe& recipe);
 
 /// What a shape's bindings refer to, by number in its recipe.

@@ -102,6 +102,7 @@ bool check_target_program(PackageCheck& check, const PackedTargetProgram& progra
 bool check_uniform(PackageCheck& check, const PackedUniform& uniform, const Place& place) {
   if (uniform.name()->size() == 0) return check.fail(place, "it has no name");
   if (!is_enumerator(uniform.type())) return check.fail(place, "its type is unknown");
+  if (uniform.targets() == 0) return check.fail(place, "no target reads it");
   if (uniform.count() == 0) return check.fail(place, "its array has no elements");
   const std::uint64_t numbers = std::uint64_t{uniform.count()} * component_count(uniform.type());
   return uniform.initial()->size() == 0 || uniform.initial()->size() == numbers ||

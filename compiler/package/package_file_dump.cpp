@@ -71,6 +71,23 @@ void dump_stage(Text& text, const PackedStage& stage) {
   if (words.size() != 0) line(text, "        spirv: {}", sized(words, "words"));
 }
 
+/// `, location 3`, or nothing where there is none.
+std::string number(std::string_view title, std::int32_t value) {
+  return value < 0 ? "" : fmt::format(", {} {}", title, value);
+}
+
+/// ` in essl300 spirv`, or nothing where every target of the program reads the uniform.
+std::string some_targets(const PackedUniform& uniform, const PackedProgram& program) {
+  std::string names;
+  bool all = true;
+  for (const auto* target : *program.targets()) {
+    const bool reads = (uniform.targets() >> static_cast<unsigned>(target->target()) & 1U) != 0;
+    if (reads) names.append(" ").append(EnumNamePackedTarget(target->target()));
+    all = all && reads;
+  }
+  return all ? "" : " in" + names;
+}
+
 void dump_program(Text& text, const PackedProgram& program, std::size_t index) {
   line(text, "program {} {}", index, quoted(*program.name()));
   line(text, "  recipe {}", quoted(*program.recipe()));
@@ -83,12 +100,13 @@ void dump_program(Text& text, const PackedProgram& program, std::size_t index) {
     const auto& initial = *uniform->initial();
     const std::string starts =
         initial.size() == 0 ? "" : fmt::format(" = {}", fmt::join(initial.data(), initial.data() + initial.size(), " "));
-    line(text, "  uniform {} {}{}{}", word(EnumNamePackedUniformType(uniform->type())), uniform->name()->string_view(), array,
+    line(text, "  uniform {} {}{}{}{}{}{}", word(EnumNamePackedUniformType(uniform->type())), uniform->name()->string_view(),
+         array, some_targets(*uniform, program), number("location", uniform->location()), number("binding", uniform->binding()),
          starts);
   }
   for (const auto* attribute : *program.attributes()) {
-    line(text, "  attribute {}: {} {}", attribute->name()->string_view(), EnumNamePackedSemantic(attribute->semantic()),
-         attribute->unit());
+    line(text, "  attribute {}: {} {}{}", attribute->name()->string_view(), EnumNamePackedSemantic(attribute->semantic()),
+         attribute->unit(), number("location", attribute->location()));
   }
   line(text, "  plugs filled:{}", quoted(*program.plugs_filled()));
   line(text, "  plugs empty:{}", quoted(*program.plugs_empty()));

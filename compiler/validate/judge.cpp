@@ -20,6 +20,7 @@
 
 #include "validate/expression_depth.h"
 #include "validate/glslang_log.h"
+#include "validate/optimize.h"
 #include "validate/reflect.h"
 #include "validate/version_directive.h"
 
@@ -50,8 +51,8 @@ struct ParsedStage {
       shader.setEnvInput(glslang::EShSourceGlsl, language(kind), glslang::EShClientOpenGL, 100);
       shader.setEnvClient(glslang::EShClientOpenGL, glslang::EShTargetOpenGL_450);
       shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
-      shader.setAutoMapBindings(true);
-      shader.setAutoMapLocations(true);
+      shader.setAutoMapBindings(true);   // else it gives each sampler 0, or asks for a location;
+      shader.setAutoMapLocations(true);  // assign_interface() has the numbers
     }
     constexpr int kVersionWhereTheTextHasNone = 100;
     parsed = shader.parse(GetDefaultResources(), kVersionWhereTheTextHasNone, false, message_flags(target));
@@ -110,9 +111,8 @@ std::vector<VerdictMessage> link(const Candidate& candidate, Linked& linked) {
     linked.program.addShader(&parsed.shader);
   }
   if (!messages.empty()) return messages;
-  const bool good =
-      linked.program.link(message_flags(candidate.target)) && (candidate.target != Target::spirv || linked.program.mapIO());
-  if (!good) return errors_of(linked.program.getInfoLog(), candidate.stages.back().stage);
+  if (!linked.program.link(message_flags(candidate.target)))
+    return errors_of(linked.program.getInfoLog(), candidate.stages.back().stage);
   for (std::size_t i = 0; i < linked.stages.size(); ++i) {
     if (tree_depth(*linked.tree(i)) <= kMaxTreeDepth) continue;
     messages.push_back({linked.stages[i].stage,
@@ -128,12 +128,79 @@ std::vector<VerdictMessage> link(const Candidate& candidate, Linked& linked) {
   return messages;
 }
 
-std::vector<std::uint32_t> make_spirv(const glslang::TIntermediate& tree) {
-  glslang::SpvOptions options;
-  options.disableOptimizer = true;
-  std::vector<std::uint32_t> words;
-  glslang::GlslangToSpv(tree, words, &options);
-  return words;
+/// Text that was not parsed for SPIR-V tells glslang no version of it to write.
+void set_version(std::vector<std::uint32_t>& words) {
+  constexpr std::uint32_t kVersion10 = 0x00010000;
+  if (words.size() > 1) words[1] = kVersion10;
+}
+
+std::vector<SpirvStage> make_spirv(const Linked& linked) {
+  std::vector<SpirvStage> stages;
+  for (std::size_t i = 0; i < linked.stages.size(); ++i) {
+    glslang::SpvOptions options;
+    options.disableOptimizer = true;
+    SpirvStage& stage = stages.emplace_back();
+    stage.stage = linked.stages[i].stage;
+    glslang::GlslangToSpv(*linked.tree(i), stage.words, &options);
+    set_version(stage.words);
+  }
+  return stages;
+}
+
+/// Whether every variable of `now` was there `before`, of the same type.
+bool is_subset(const std::vector<ReflectedVariable>& now, const std::vector<ReflectedVariable>& before) {
+  return std::ranges::all_of(now, [&](const ReflectedVariable& variable) {
+    const auto found = std::ranges::find(before, variable.name, &ReflectedVariable::name);
+    return found != before.end() && found->type == variable.type && found->count == variable.count;
+  });
+}
+
+Verdict judge_linked(const Candidate& candidate);
+
+/// Writes the stages as text again and takes what that reads in place of what the verdict says. Why not, or "".
+std::string take_texts(const std::vector<SpirvStage>& stages, Target target, const std::set<std::string>& numbered,
+                       Verdict& verdict) {
+  Candidate written{target, false, {}};
+  for (const SpirvStage& stage : stages) written.stages.push_back({stage.stage, write_glsl(stage, target, numbered)});
+  const Verdict again = judge_linked(written);
+  if (!again.valid()) return fmt::format("its optimised text is not valid: {}", again.messages.front().text);
+  if (!is_subset(again.uniforms, verdict.uniforms) || !is_subset(again.attributes, verdict.attributes))
+    return "optimising changes the name of a uniform or attribute";
+  verdict.uniforms = again.uniforms;
+  verdict.attributes = again.attributes;
+  for (Candidate::Stage& stage : written.stages) verdict.optimized_texts.push_back(std::move(stage.text));
+  return "";
+}
+
+/// The uniforms and attributes that the modules still have.
+void keep_numbered(std::vector<ReflectedVariable>& variables) {
+  std::erase_if(variables, [](const ReflectedVariable& variable) { return variable.location == kNoInterfaceNumber; });
+}
+
+std::string optimize_verdict(std::vector<SpirvStage>& stages, Target target, const std::set<std::string>& numbered,
+                             Verdict& verdict) {
+  std::vector<SpirvStage> optimized = stages;
+  if (std::string error = optimize(optimized); !error.empty()) return error;
+  if (target != Target::spirv) {
+    if (std::string error = take_texts(optimized, target, numbered, verdict); !error.empty()) return error;
+  }
+  verdict.cost = cost_of(optimized);
+  stages = std::move(optimized);
+  return "";
+}
+
+/// What of the verdict comes of SPIR-V.
+void add_spirv(const Candidate& candidate, const Linked& linked, Verdict& verdict) {
+  std::vector<SpirvStage> stages = make_spirv(linked);
+  const std::set<std::string> numbered = assign_interface(stages);
+  if (candidate.optimize) verdict.not_optimized = optimize_verdict(stages, candidate.target, numbered, verdict);
+  if (candidate.target != Target::spirv) return;
+  note_interface(stages, verdict.uniforms, verdict.attributes);
+  if (verdict.cost) {
+    keep_numbered(verdict.uniforms);
+    keep_numbered(verdict.attributes);
+  }
+  for (SpirvStage& stage : stages) verdict.spirv.push_back(std::move(stage.words));
 }
 
 Verdict judge_linked(const Candidate& candidate) {
@@ -144,8 +211,13 @@ Verdict judge_linked(const Candidate& candidate) {
   linked.program.buildReflection(EShReflectionDefault);
   verdict.uniforms = reflect_uniforms(linked.program);
   if (candidate.stages.front().stage == ShaderStage::vertex) verdict.attributes = reflect_attributes(linked.program);
-  if (candidate.target != Target::spirv) return verdict;
-  for (std::size_t i = 0; i < linked.stages.size(); ++i) verdict.spirv.push_back(make_spirv(*linked.tree(i)));
+  if (candidate.target != Target::spirv && !candidate.optimize) return verdict;
+  try {
+    add_spirv(candidate, linked, verdict);
+  } catch (const std::exception& error) {  // SPIRV-Cross speaks so
+    verdict.not_optimized = error.what();
+    if (candidate.target == Target::spirv) verdict.messages.push_back({ShaderStage::vertex, 0, {}, error.what()});
+  }
   return verdict;
 }
 
@@ -169,6 +241,7 @@ Verdict judge(const Candidate& candidate) {
 void warm_up(Target target) {
   const std::string version = version_line(target);
   judge({target,
+         false,
          {{ShaderStage::vertex, version + "void main() { gl_Position = vec4(0.0); }\n"},
           {ShaderStage::fragment, version + "precision highp float;\nout vec4 color;\nvoid main() { color = vec4(0.0); }\n"}}});
 }

@@ -60,6 +60,7 @@ struct Validator::State {
 
   Judgement ask_worker(const ProgramText& program, const std::string& candidate);
   Judgement judge(const ProgramText& program, const std::string& candidate);
+  Judgement judge_unoptimized(ProgramText program, const std::string& reason);
   static ValidationResult result(ProgramText program, const Judgement& judgement);
 
   ValidatorOptions options;
@@ -81,10 +82,19 @@ Judgement Validator::State::ask_worker(const ProgramText& program, const std::st
   return death(program, "");
 }
 
+/// Whatever took the worker down may be at home in the optimiser: no author is to blame for that.
+Judgement Validator::State::judge_unoptimized(ProgramText program, const std::string& reason) {
+  program.optimize = false;
+  Judgement judgement = judge(program, encode(program));
+  if (judgement.verdict.valid()) judgement.verdict.not_optimized = reason;
+  return judgement;
+}
+
 Judgement Validator::State::judge(const ProgramText& program, const std::string& candidate) {
   if (std::optional<Judgement> judgement = too_large(program)) return *judgement;
   if (std::optional<Verdict> verdict = cache.find(candidate)) return {std::move(*verdict), false};
   Judgement judgement = ask_worker(program, candidate);
+  if (judgement.died && program.optimize) judgement = judge_unoptimized(program, judgement.verdict.messages.front().text);
   cache.store(candidate, judgement.verdict);
   return judgement;
 }
@@ -100,6 +110,14 @@ ValidationResult Validator::State::result(ProgramText program, const Judgement& 
   validated.spirv_ = judgement.verdict.spirv;
   validated.uniforms_ = judgement.verdict.uniforms;
   validated.attributes_ = judgement.verdict.attributes;
+  validated.cost_ = judgement.verdict.cost;
+  const std::vector<std::string>& texts = judgement.verdict.optimized_texts;
+  for (std::size_t i = 0; i < texts.size(); ++i) {  // optimised text has no author any more
+    MappedText& text = validated.stages_[i].text;
+    text = MappedText();
+    text.append_generated(texts[i]);
+  }
+  result.not_optimized = judgement.verdict.not_optimized;
   return result;
 }
 

@@ -24,14 +24,29 @@ struct StageText {
 /// The candidate: its stages, each at most once, in pipeline order.
 struct ProgramText {
   Target target = Target::glsl330;
+  bool optimize = false;  ///< Replace what is valid by an equivalent that does less (optimize.h).
   std::vector<StageText> stages;
 };
+
+/// GLSL meets by name and has no numbers.
+inline constexpr std::uint32_t kNoInterfaceNumber = UINT32_MAX;
 
 /// Type of a uniform or attribute, spelled as GLSL does (`vec3`, `sampler2DShadow`).
 struct ReflectedVariable {
   std::string name;  ///< Without `[0]`.
   std::string type;
-  std::uint32_t count = 1;  ///< Array size.
+  std::uint32_t count = 1;                      ///< Array size.
+  std::uint32_t location = kNoInterfaceNumber;  ///< In SPIR-V; docs/targets.md says how they are dealt out.
+  std::uint32_t binding = kNoInterfaceNumber;   ///< Of a sampler in SPIR-V.
+};
+
+/// What an optimised program costs, counted in its SPIR-V.
+struct ProgramCost {
+  std::uint32_t vertex_instructions = 0;  ///< Inside functions.
+  std::uint32_t geometry_instructions = 0;
+  std::uint32_t fragment_instructions = 0;
+  std::uint32_t texture_reads = 0;  ///< Instructions that read a texture, in all stages.
+  std::uint32_t varyings = 0;       ///< Locations that the fragment stage reads.
 };
 
 /// A program that glslang has accepted. Cannot be made elsewhere.
@@ -42,6 +57,7 @@ class ValidatedProgram {
   const std::vector<std::vector<std::uint32_t>>& spirv() const { return spirv_; }   ///< Per stage; for Target::spirv only.
   const std::vector<ReflectedVariable>& uniforms() const { return uniforms_; }      ///< Active ones, in name order.
   const std::vector<ReflectedVariable>& attributes() const { return attributes_; }  ///< Active vertex inputs, in name order.
+  const std::optional<ProgramCost>& cost() const { return cost_; }                  ///< Of an optimised one.
 
  private:
   friend class Validator;
@@ -51,6 +67,7 @@ class ValidatedProgram {
   std::vector<std::vector<std::uint32_t>> spirv_;
   std::vector<ReflectedVariable> uniforms_;
   std::vector<ReflectedVariable> attributes_;
+  std::optional<ProgramCost> cost_;
 };
 
 /// What glslang said of one place.
@@ -67,6 +84,7 @@ struct ValidationResult {
   std::optional<ValidatedProgram> program;  ///< Present when valid.
   std::vector<ShaderMessage> messages;      ///< Errors when not valid; else empty.
   bool died = false;                        ///< The worker crashed or overran on this program.
+  std::string not_optimized;                ///< Why a valid program stays as it was though it was to be optimised; else "".
 };
 
 struct ValidatorOptions {

@@ -32,12 +32,13 @@ class RecipeValidator {
   RecipeValidator(const ComposeInput& input, Validator& validator, Diagnostics& diagnostics, ValidationStatistics& statistics)
       : input_(input), validator_(validator), diagnostics_(diagnostics), statistics_(statistics) {}
 
-  std::vector<ValidRecipe> run(const std::vector<Recipe>& recipes, const std::vector<Target>& targets);
+  std::vector<ValidRecipe> run(const std::vector<Recipe>& recipes, const ProgramOptions& options);
 
  private:
   struct Candidate {
     Recipe recipe;
     Target target = Target::glsl330;
+    bool optimize = false;
     ComposedProgram composed;
     ValidationResult result;
   };
@@ -47,6 +48,7 @@ class RecipeValidator {
   Candidate check(const Recipe& recipe, Target target, Diagnostics& diagnostics);
   bool fails(const Candidate& candidate, const std::set<int>& effects);
   void repair(Candidate& candidate);
+  void optimize(Candidate& candidate);
   void leave_out(Candidate& candidate, const std::vector<int>& failing);
   void leave_out_all(Candidate& candidate);
   bool replace_shader(Candidate& candidate);
@@ -54,7 +56,8 @@ class RecipeValidator {
   std::vector<int> bisect(const Candidate& candidate);
   std::vector<int> suspects(const Candidate& candidate) const;
   void report_messages(const Candidate& candidate, const Span& culprit) const;
-  void report_left_out(const std::vector<int>& failing, int left_out) const;
+  void report_left_out(const std::vector<int>& failing, int left_out, Target target) const;
+  std::string of_target(Target target) const;
   const SceneEffect& effect(int index) const { return input_.scene.effects[static_cast<std::size_t>(index)]; }
   const EffectCode& code(int index) const { return input_.effects[static_cast<std::size_t>(index)]; }
 
@@ -63,6 +66,7 @@ class RecipeValidator {
   Diagnostics& diagnostics_;
   ValidationStatistics& statistics_;
   std::size_t rechecks_left_ = 0;
+  std::size_t target_count_ = 1;
 };
 
 /// Composes; effects that composing itself finds at fault (their mistakes are reported by then) are left out at once.
@@ -82,9 +86,10 @@ void RecipeValidator::compose_candidate(Candidate& candidate, Diagnostics& diagn
   statistics_.compose_milliseconds += milliseconds_since(start);
 }
 
-ProgramText take_text(ComposedProgram& composed, Target target) {
+ProgramText take_text(ComposedProgram& composed, Target target, bool optimize) {
   ProgramText text;
   text.target = target;
+  text.optimize = optimize;
   for (ComposedStage& stage : composed.stages) text.stages.push_back({stage.stage, std::move(stage.text)});
   composed.stages.clear();
   return text;
@@ -93,7 +98,7 @@ ProgramText take_text(ComposedProgram& composed, Target target) {
 void RecipeValidator::validate_candidates(std::vector<Candidate>& candidates) {
   const auto start = Clock::now();
   std::vector<ProgramText> texts;
-  for (Candidate& candidate : candidates) texts.push_back(take_text(candidate.composed, candidate.target));
+  for (Candidate& candidate : candidates) texts.push_back(take_text(candidate.composed, candidate.target, candidate.optimize));
   std::vector<ValidationResult> results = validator_.validate(std::move(texts));
   for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].result = std::move(results[i]);
   statistics_.validate_milliseconds += milliseconds_since(start);
@@ -192,10 +197,16 @@ void RecipeValidator::report_messages(const Candidate& candidate, const Span& cu
   }
 }
 
-void RecipeValidator::report_left_out(const std::vector<int>& failing, int left_out) const {
+/// ` of target `essl300``, where there are others.
+std::string RecipeValidator::of_target(Target target) const {
+  return target_count_ < 2 ? "" : fmt::format(" of target `{}`", to_text(target));
+}
+
+void RecipeValidator::report_left_out(const std::vector<int>& failing, int left_out, Target target) const {
   if (failing.size() == 1) {
-    diagnostics_.report(DiagnosticId::effect_left_out, effect(left_out).span,
-                        fmt::format("effect `{}` is left out: the program is not valid with it", effect(left_out).label));
+    diagnostics_.report(
+        DiagnosticId::effect_left_out, effect(left_out).span,
+        fmt::format("effect `{}` is left out{}: the program is not valid with it", effect(left_out).label, of_target(target)));
     return;
   }
   std::vector<RelatedPlace> related;
@@ -205,8 +216,8 @@ void RecipeValidator::report_left_out(const std::vector<int>& failing, int left_
     if (index != left_out) related.push_back({effect(index).span, "together with this effect"});
   }
   diagnostics_.report(DiagnosticId::effect_left_out, effect(left_out).span,
-                      fmt::format("effect `{}` is left out: the effects {} fail together, and it is the last of them",
-                                  effect(left_out).label, names),
+                      fmt::format("effect `{}` is left out{}: the effects {} fail together, and it is the last of them",
+                                  effect(left_out).label, of_target(target), names),
                       std::move(related));
 }
 
@@ -223,7 +234,7 @@ void RecipeValidator::leave_out(Candidate& candidate, const std::vector<int>& fa
   const int left_out = failing.front();
   // what glslang makes of code whose brackets do not match says nothing beyond that
   if (!code(left_out).has_problems) report_messages(candidate, effect(left_out).span);
-  report_left_out({failing.rbegin(), failing.rend()}, left_out);
+  report_left_out({failing.rbegin(), failing.rend()}, left_out, candidate.target);
   candidate = check(without_effect(candidate.recipe, left_out), candidate.target, diagnostics_);
 }
 
@@ -255,13 +266,34 @@ void RecipeValidator::repair(Candidate& candidate) {
   }
 }
 
-std::vector<ValidRecipe> RecipeValidator::run(const std::vector<Recipe>& recipes, const std::vector<Target>& targets) {
+/// Repairing tries programs as they are composed; what it ended with is optimised now.
+void RecipeValidator::optimize(Candidate& candidate) {
+  if (!candidate.result.program) return;
+  if (!candidate.optimize) {
+    std::vector<Candidate> one(1);
+    one[0].recipe = candidate.recipe;
+    one[0].target = candidate.target;
+    one[0].optimize = true;
+    compose_candidate(one[0], diagnostics_);
+    validate_candidates(one);
+    candidate = std::move(one[0]);
+  }
+  if (candidate.result.not_optimized.empty()) return;
+  diagnostics_.report(DiagnosticId::not_optimized, {},
+                      fmt::format("program `{}` stays as composed for target {}: {}", to_text(candidate.recipe, input_.scene),
+                                  to_text(candidate.target), candidate.result.not_optimized));
+}
+
+std::vector<ValidRecipe> RecipeValidator::run(const std::vector<Recipe>& recipes, const ProgramOptions& options) {
+  const std::vector<Target>& targets = options.targets;
+  target_count_ = targets.size();
   std::vector<Candidate> candidates;
   for (const Recipe& recipe : recipes) {
     for (const Target target : targets) {
       candidates.emplace_back();
       candidates.back().recipe = recipe;
       candidates.back().target = target;
+      candidates.back().optimize = options.optimize;
       compose_candidate(candidates.back(), diagnostics_);
     }
   }
@@ -270,6 +302,7 @@ std::vector<ValidRecipe> RecipeValidator::run(const std::vector<Recipe>& recipes
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     Candidate& candidate = candidates[i];
     repair(candidate);
+    if (options.optimize) optimize(candidate);
     ValidRecipe& result = valid[i / targets.size()];
     if (i % targets.size() == 0) result.used = candidate.recipe;
     if (candidate.result.program)
@@ -281,9 +314,9 @@ std::vector<ValidRecipe> RecipeValidator::run(const std::vector<Recipe>& recipes
 }  // namespace
 
 std::vector<ValidRecipe> validate_recipes(const std::vector<Recipe>& recipes, const ComposeInput& input,
-                                          const std::vector<Target>& targets, Validator& validator, Diagnostics& diagnostics,
+                                          const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
                                           ValidationStatistics& statistics) {
-  return RecipeValidator(input, validator, diagnostics, statistics).run(recipes, targets);
+  return RecipeValidator(input, validator, diagnostics, statistics).run(recipes, options);
 }
 
 }  // namespace plugc

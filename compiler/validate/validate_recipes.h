@@ -27,10 +27,16 @@ struct ValidationStatistics {
   std::size_t rechecks = 0;  ///< Programs composed anew to find a fault.
 };
 
+/// What recipes are made into.
+struct ProgramOptions {
+  std::vector<Target> targets;
+  bool optimize = false;  ///< What cannot be optimised stays as composed (reported).
+};
+
 /// One result a recipe. At most kMaxRechecks programs are checked to find the faults of one recipe.
 inline constexpr std::size_t kMaxRechecks = 64;
 std::vector<ValidRecipe> validate_recipes(const std::vector<Recipe>& recipes, const ComposeInput& input,
-                                          const std::vector<Target>& targets, Validator& validator, Diagnostics& diagnostics,
+                                          const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
                                           ValidationStatistics& statistics);
 
 }  // namespace plugc

@@ -46,7 +46,7 @@ void report_consequences(const StateRecipe& wanted, const Recipe& used, const St
 }  // namespace
 
 std::vector<ValidRecipe> validate_states(const std::vector<StateRecipe>& recipes, const ComposeInput& input,
-                                         const std::vector<Target>& targets, Validator& validator, Diagnostics& diagnostics,
+                                         const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
                                          ValidationStatistics& statistics) {
   std::vector<ValidRecipe> valid(recipes.size());
   Diagnostics unheard(diagnostics.sources());
@@ -57,7 +57,7 @@ std::vector<ValidRecipe> validate_states(const std::vector<StateRecipe>& recipes
     }
     if (batch.empty()) continue;
     std::vector<ValidRecipe> results =
-        validate_recipes(batch, input, targets, validator, reduced ? unheard : diagnostics, statistics);
+        validate_recipes(batch, input, options, validator, reduced ? unheard : diagnostics, statistics);
     auto result = results.begin();
     for (std::size_t i = 0; i < recipes.size(); ++i) {
       if ((recipes[i].fuller >= 0) == reduced) valid[i] = std::move(*result++);

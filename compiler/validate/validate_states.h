@@ -12,7 +12,7 @@ namespace plugc {
 /// One result a recipe, as validate_recipes() has it. An effect that is left out of a reduced recipe alone is reported with
 /// what is off there.
 std::vector<ValidRecipe> validate_states(const std::vector<StateRecipe>& recipes, const ComposeInput& input,
-                                         const std::vector<Target>& targets, Validator& validator, Diagnostics& diagnostics,
+                                         const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
                                          ValidationStatistics& statistics);
 
 }  // namespace plugc

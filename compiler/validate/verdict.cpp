@@ -66,15 +66,20 @@ void write_variables(Writer& writer, const std::vector<ReflectedVariable>& varia
     writer.text(variable.name);
     writer.text(variable.type);
     writer.number(variable.count);
+    writer.number(variable.location);
+    writer.number(variable.binding);
   }
 }
 
 std::vector<ReflectedVariable> read_variables(Reader& reader) {
   std::vector<ReflectedVariable> variables;
   reader.list([&] {
-    std::string name = reader.text();
-    std::string type = reader.text();
-    variables.push_back({std::move(name), std::move(type), reader.number()});
+    ReflectedVariable& variable = variables.emplace_back();
+    variable.name = reader.text();
+    variable.type = reader.text();
+    variable.count = reader.number();
+    variable.location = reader.number();
+    variable.binding = reader.number();
   });
   return variables;
 }
@@ -95,6 +100,22 @@ std::vector<std::uint32_t> read_words(Reader& reader) {
   return words;
 }
 
+constexpr std::uint32_t ProgramCost::*kCosts[] = {&ProgramCost::vertex_instructions, &ProgramCost::geometry_instructions,
+                                                  &ProgramCost::fragment_instructions, &ProgramCost::texture_reads,
+                                                  &ProgramCost::varyings};
+
+void write_cost(Writer& writer, const std::optional<ProgramCost>& cost) {
+  writer.number(cost ? 1 : 0);
+  for (const auto member : kCosts) writer.number(cost ? (*cost).*member : 0);
+}
+
+std::optional<ProgramCost> read_cost(Reader& reader) {
+  const bool known = reader.number() != 0;
+  ProgramCost cost;
+  for (const auto member : kCosts) cost.*member = reader.number();
+  return known ? std::optional(cost) : std::nullopt;
+}
+
 template <typename Value>
 std::optional<Value> finished(const Reader& reader, Value value) {
   return reader.failed || !reader.rest.empty() ? std::nullopt : std::optional<Value>(std::move(value));
@@ -105,6 +126,7 @@ std::optional<Value> finished(const Reader& reader, Value value) {
 std::string encode(const Candidate& candidate) {
   Writer writer;
   writer.number(static_cast<std::size_t>(candidate.target));
+  writer.number(candidate.optimize ? 1 : 0);
   writer.number(candidate.stages.size());
   for (const Candidate::Stage& stage : candidate.stages) {
     writer.number(static_cast<std::size_t>(stage.stage));
@@ -114,7 +136,7 @@ std::string encode(const Candidate& candidate) {
 }
 
 std::string encode(const ProgramText& program) {
-  Candidate candidate{program.target, {}};
+  Candidate candidate{program.target, program.optimize, {}};
   for (const StageText& stage : program.stages) candidate.stages.push_back({stage.stage, std::string(stage.text.text())});
   return encode(candidate);
 }
@@ -135,6 +157,10 @@ std::string encode(const Verdict& verdict) {
     writer.number(words.size());
     writer.bytes.append(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
   }
+  writer.number(verdict.optimized_texts.size());
+  for (const std::string& text : verdict.optimized_texts) writer.text(text);
+  write_cost(writer, verdict.cost);
+  writer.text(verdict.not_optimized);
   return std::move(writer.bytes);
 }
 
@@ -142,6 +168,7 @@ std::optional<Candidate> decode_candidate(std::string_view bytes) {
   Reader reader{bytes};
   Candidate candidate;
   candidate.target = reader.enumerator<Target>(kTargetCount);
+  candidate.optimize = reader.number() != 0;
   reader.list([&] {
     const auto stage = reader.enumerator<ShaderStage>(kStageCount);
     candidate.stages.push_back({stage, reader.text()});
@@ -156,6 +183,9 @@ std::optional<Verdict> decode_verdict(std::string_view bytes) {
   verdict.uniforms = read_variables(reader);
   verdict.attributes = read_variables(reader);
   reader.list([&] { verdict.spirv.push_back(read_words(reader)); });
+  reader.list([&] { verdict.optimized_texts.push_back(reader.text()); });
+  verdict.cost = read_cost(reader);
+  verdict.not_optimized = reader.text();
   return finished(reader, std::move(verdict));
 }
 

@@ -19,6 +19,7 @@ struct Candidate {
     std::string text;
   };
   Target target = Target::glsl330;
+  bool optimize = false;
   std::vector<Stage> stages;
 };
 
@@ -36,6 +37,9 @@ struct Verdict {
   std::vector<ReflectedVariable> uniforms;
   std::vector<ReflectedVariable> attributes;
   std::vector<std::vector<std::uint32_t>> spirv;  // per stage; for Target::spirv only
+  std::vector<std::string> optimized_texts;       // per stage, when optimised; not for Target::spirv
+  std::optional<ProgramCost> cost;                // when optimised
+  std::string not_optimized;                      // why not, though it was asked for
   bool valid() const { return messages.empty(); }
 };
 

@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <glslang/build_info.h>
+#include <spirv-tools/libspirv.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -26,12 +27,12 @@ namespace plugc {
 namespace {
 
 /// To be counted up whenever judging changes: old entries are no longer found.
-constexpr int kJudgingVersion = 2;
+constexpr int kJudgingVersion = 3;
 constexpr std::size_t kMaxEntryBytes = std::size_t{64} << 20;
 
 std::string entry_tag() {
-  return fmt::format("plugc verdict {} glslang {}.{}.{}\n", kJudgingVersion, GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR,
-                     GLSLANG_VERSION_PATCH);
+  return fmt::format("plugc verdict {} glslang {}.{}.{}, {}\n", kJudgingVersion, GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR,
+                     GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString());
 }
 
 template <typename Number>

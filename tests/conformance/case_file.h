@@ -6,14 +6,15 @@
 //     --- scene scene.x3d          in place of it, several times: each is compiled, and all that stands below holds for each
 //     --- file part.x3dvz gzip     written compressed; likewise a scene
 //     --- image wood.png           rows of pixels, top first, as RRGGBBAA; written as a PNG
-//     --- options                  a word a line: lint; library; stage teapot; target essl300, dynamic DEF.field (once or several
-//                                  times)
+//     --- options                  a word a line: lint; library; optimize; stage teapot; target essl300, dynamic DEF.field
+//                                  (once or several times)
 //     --- diagnostics              everything that is said, in order: `LINE:COLUMN code message`; absent: nothing
 //     --- diagnostics scene.x3d    the same of one scene of several
 //     --- graph                    lines that `--dump scene` begins with hold in this order, without the places
 //     --- fragment 0               lines that the fragment stage of program 0 holds in this order, blanks aside;
 //                                  likewise `vertex` and `geometry`, the texts of the first target
 //     --- fragment 0 lacks         lines that it does not hold
+//     --- package                  lines that `--dump package` holds in this order
 //     --- programs                 how many programs the package has
 //     --- effects                  of a library: `NAME needs PLUGS; offers PLUGS; KIND; KIND ...`, in order
 //     --- pixels                   `X Y: R G B` in a picture of 32 by 32 pixels, from the top left; `pixels DEF.field=0 ...`

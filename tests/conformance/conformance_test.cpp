@@ -97,6 +97,7 @@ CompileOptions read_options(const CaseFile& file) {
     stream >> word >> value;
     if (word == "lint") options.for_lint = true;
     if (word == "library") options.library = true;
+    if (word == "optimize") options.optimize = true;
     if (word == "stage") options.stage = value;
     if (word == "dynamic") options.dynamic.push_back(value);
     if (word == "target") targets.push_back(target_named(value).value());
@@ -227,6 +228,8 @@ void expect_section(const Compiled& compiled, const CaseSection& section) {
     expect_pixels(compiled, section);
   else if (kind == "effects")
     expect_effects(compiled, section);
+  else if (kind == "package")
+    expect_in_order(dump_package(*compiled.package), section);
   else if (kind == "programs")
     EXPECT_EQ(std::to_string(compiled.package->programs()->size()), section.lines.at(0));
   else if (kind != "file" && kind != "scene" && kind != "image" && kind != "options" && kind != "diagnostics" &&
@@ -280,6 +283,49 @@ class CaseTest : public testing::Test {
   CaseFile file_;
 };
 
+/// Compiles a scene twice and compares the pictures: optimised programs draw the same.
+void expect_same_picture(const fs::path& scene, CompileOptions options) {
+  options.optimize = false;
+  const Compiled readable = compile_file(scene, options);
+  options.optimize = true;
+  const Compiled optimized = compile_file(scene, options);
+  const Picture expected = draw_package(*readable.package, kPictureSide, kPictureSide);
+  const Picture drawn = draw_package(*optimized.package, kPictureSide, kPictureSide);
+  constexpr int kRounding = 2;  // of folded constants
+  std::size_t different = 0;
+  for (std::uint32_t y = 0; y < kPictureSide; ++y) {
+    for (std::uint32_t x = 0; x < kPictureSide; ++x)
+      different += is_near(color_at(expected, x, y), color_at(drawn, x, y), kRounding) ? 0 : 1;
+  }
+  EXPECT_EQ(different, 0U) << "pixels differ";
+}
+
+/// A case that draws something, drawn again by optimised programs.
+class OptimizedCaseTest : public testing::Test {
+ public:
+  explicit OptimizedCaseTest(CaseFile file) : file_(std::move(file)) {}
+
+  void TestBody() override {
+    const SceneFolder folder;
+    write_files(file_, folder);
+    CompileOptions options = read_options(file_);
+    options.root = folder.path();
+    expect_same_picture(folder.path() / scene_names(file_).front(), options);
+  }
+
+ private:
+  CaseFile file_;
+};
+
+class OptimizedExampleTest : public testing::Test {
+ public:
+  explicit OptimizedExampleTest(fs::path scene) : scene_(std::move(scene)) {}
+  void TestBody() override { expect_same_picture(scene_, {}); }
+
+ private:
+  fs::path scene_;
+};
+
 /// The codes that stand in `diagnostics` sections.
 std::set<std::string> shown_codes(const std::vector<CaseFile>& files) {
   std::set<std::string> codes;
@@ -324,6 +370,15 @@ void register_tests(const std::vector<CaseFile>& files) {
     const std::string name = dot == std::string::npos ? file.name : file.name.substr(dot + 1);
     testing::RegisterTest(suite.c_str(), name.c_str(), nullptr, nullptr, file.path.c_str(), 1,
                           [file]() -> testing::Test* { return new CaseTest(file); });
+    if (file.find("pixels") == nullptr) continue;
+    testing::RegisterTest("Optimized", file.name.c_str(), nullptr, nullptr, file.path.c_str(), 1,
+                          [file]() -> testing::Test* { return new OptimizedCaseTest(file); });
+  }
+  for (const auto& entry : fs::directory_iterator(PLUGC_SOURCE_DIR "/examples")) {
+    const fs::path scene = entry.path() / (entry.path().filename().string() + ".x3dv");
+    if (!fs::exists(scene)) continue;
+    testing::RegisterTest("Optimized", entry.path().filename().c_str(), nullptr, nullptr, scene.c_str(), 1,
+                          [scene]() -> testing::Test* { return new OptimizedExampleTest(scene); });
   }
   testing::RegisterTest("Diagnostics", "EachStandsInSomeCase", nullptr, nullptr, __FILE__, __LINE__,
                         [shown = shown_codes(files)]() -> testing::Test* { return new CoverageTest(shown); });

@@ -38,7 +38,8 @@ struct DocumentCheck {
       range(node.extras->interface, document.interfaces);
       range(node.extras->statements, document.statement_pool);
       range(node.extras->cdata, document.strings);
-      for (const Name* name : {&node.type, &node.extras->def, &node.extras->use, &node.extras->container_field}) place(name->span);
+      for (const Name* name : {&node.type, &node.extras->def, &node.extras->use, &node.extras->container_field})
+        place(name->span);
     }
     for (const FieldSyntax& field : document.fields) value(field.value);
     for (const InterfaceSyntax& field : document.interfaces) value(field.value);

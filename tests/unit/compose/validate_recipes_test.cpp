@@ -9,7 +9,7 @@ class ValidateRecipesTest : public ComposeTest {
  protected:
   ValidRecipe run(const Recipe& recipe, std::vector<Target> targets = {Target::glsl330}) {
     Validator validator({});
-    return validate_recipes({recipe}, input(), targets, validator, diagnostics_, statistics_).front();
+    return validate_recipes({recipe}, input(), {targets, false}, validator, diagnostics_, statistics_).front();
   }
   std::string left_out() const { return lines_with(said(), "effect-left-out"); }
   int good() { return fragment("uniform float a;\nvoid PLUG_fragment_modify(inout vec4 c) { c.r *= a; }\n"); }

@@ -41,8 +41,7 @@ TEST(Inline, ReportsWhatCannotBeReadAndGoesOn) {
 TEST(Inline, TakesGltf) {
   const auto built = build_classic("Inline { url \"model.gltf\" }",
                                    {{"model.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"name":"A"},{"mesh":0}]})"}});
-  EXPECT_EQ(built->said(),
-            "model.gltf:1:58: error: `nodes[1].mesh`: there is no 0; `meshes` holds 0 [gltf-invalid]\n");
+  EXPECT_EQ(built->said(), "model.gltf:1:58: error: `nodes[1].mesh`: there is no 0; `meshes` holds 0 [gltf-invalid]\n");
   EXPECT_EQ(built->dump(),
             "roots #0\n"
             "#0 Inline (scene.x3dv:2:1) url \"model.gltf\"; children #1 #2\n"

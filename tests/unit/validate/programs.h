@@ -39,7 +39,7 @@ void main() {
 )";
 
 inline ProgramText program_of(std::vector<std::pair<ShaderStage, std::string>> stages, Target target = Target::glsl330) {
-  ProgramText program{target, {}};
+  ProgramText program{target, false, {}};
   for (auto& [stage, text] : stages) {
     program.stages.push_back({stage, {}});
     program.stages.back().text.append_generated(text);
