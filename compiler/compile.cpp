@@ -95,6 +95,7 @@ void add(const ValidationStatistics& validation, CompileStatistics& sum) {
 SceneParts compile_scene(LoadedScene loaded, const CompileOptions& options, FileAccess& files, Validator& validator,
                          SourceSet& sources, Diagnostics& diagnostics, CompileStatistics& statistics) {
   auto timer = std::make_unique<PhaseTimer>(statistics.prepare);
+  if (const auto& pair = options.arrangement) arrange_pair(loaded.scene, pair->first, pair->second, pair->order);
   MeshCache meshes;
   PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics, meshes);
   // from here geometry is triangles, images are pixels, effects are outlined, and every shape has its recipe
@@ -195,6 +196,27 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
   for (std::size_t i = 0; i < prepared.recipes.size(); ++i)
     text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i].recipe, prepared.parts.scene));
   return text;
+}
+
+std::vector<SceneEffectPair> effect_pairs(const std::filesystem::path& scene, const CompileOptions& options, SourceSet& sources,
+                                          Diagnostics& diagnostics) {
+  DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
+  LoadedScene loaded = load_scene(scene, options, files, sources, diagnostics);
+  const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
+  const std::vector<SceneEffect>& effects = prepared.parts.scene.effects;
+  std::vector<SceneEffectPair> pairs;
+  for (EffectPair& pair : find_effect_pairs(prepared.parts.scene, prepared.effects)) {
+    const SceneEffect& first = effects[static_cast<std::size_t>(pair.first)];
+    const SceneEffect& second = effects[static_cast<std::size_t>(pair.second)];
+    SceneEffectPair found{pair.first, pair.second, first.label, second.label, std::move(pair.plugs), {}};
+    for (const SceneEffect* effect : {&first, &second}) {
+      for (const ShaderField& field : effect->fields) {
+        if (field.slot != kSceneNoSlot) found.slots.push_back(field.slot);
+      }
+    }
+    pairs.push_back(std::move(found));
+  }
+  return pairs;
 }
 
 std::string write_scene(const std::filesystem::path& scene, Encoding as, const CompileOptions& options, SourceSet& sources,

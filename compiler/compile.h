@@ -8,17 +8,25 @@
 //     auto bytes = plugc::write_package(made.package);      // diagnostics.all() says what was wrong
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "compose/effect_pairs.h"
 #include "document/document.h"
 #include "package/assemble_package.h"
 #include "validate/measure_costs.h"
 #include "validate/validate.h"
 
 namespace plugc {
+
+/// Two effects of a scene, by index, and how they are called.
+struct EffectArrangement {
+  int first = -1, second = -1;
+  PairOrder order = PairOrder::as_written;
+};
 
 struct CompileOptions {
   std::vector<Target> targets = {Target::glsl330};
@@ -30,6 +38,7 @@ struct CompileOptions {
   std::string stage;
   bool library = false;  ///< A file with effects and no shape becomes a library: each effect alone on built-in shapes.
   std::vector<std::string> dynamic;  ///< `DEF.field`: what a host may change while the scene is drawn.
+  std::optional<EffectArrangement> arrangement = {};
 };
 
 /// Where the time went, in milliseconds, and how much was made.
@@ -53,6 +62,16 @@ struct Compilation {
 /// Compiles scene files into one package. Mistakes are reported; what could be made is in the package.
 Compilation compile(const std::vector<std::filesystem::path>& scenes, const CompileOptions& options, Validator& validator,
                     SourceSet& sources, Diagnostics& diagnostics);
+
+/// Two effects that meet at a plug: compose/effect_pairs.h.
+struct SceneEffectPair {
+  int first = -1, second = -1;
+  std::string first_label, second_label;
+  std::vector<std::string> plugs;
+  std::vector<std::uint32_t> slots;  ///< Of the numbers that feed the two, in the package of this scene alone.
+};
+std::vector<SceneEffectPair> effect_pairs(const std::filesystem::path& scene, const CompileOptions& options, SourceSet& sources,
+                                          Diagnostics& diagnostics);
 
 /// What an early phase made of a scene, as text: `document`, `scene` or `recipes`; "" for another name.
 std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options,

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
+#include "cli/effect_orders.h"
 #include "cli/print_program.h"
 
 namespace plugc {
@@ -21,6 +22,7 @@ struct InspectOptions {
   std::string as;  // the encoding that the document is written in
   std::optional<std::size_t> program;
   std::string format = "text";
+  bool orders = false;
 };
 
 int print_program(const Package& package, std::size_t index, const InspectOptions& options, const ProgramCosts* costs) {
@@ -100,6 +102,16 @@ int print_document(const InspectOptions& options) {
   return report(diagnostics);
 }
 
+int print_orders(const InspectOptions& options, Validator& validator) {
+  if (is_package_file(options.input)) {
+    fmt::print(stderr, "plugc: `--orders` composes anew, so it needs the scene, not a package\n");
+    return kBrokenUse;
+  }
+  CompileOptions compile_with = compile_options(options.common);
+  compile_with.stage = "teapot";
+  return print_effect_orders(options.input, compile_with, validator);
+}
+
 int inspect(const InspectOptions& options) {
   if (!options.as.empty()) return print_document(options);
   SourceSet sources;
@@ -110,6 +122,7 @@ int inspect(const InspectOptions& options) {
     return report(diagnostics);
   }
   Validator validator = make_validator(options.common);
+  if (options.orders) return print_orders(options, validator);
   const Inspected input = read_input(options, validator, sources, diagnostics);
   const int status = report(diagnostics);
   const PackageView view = open_package(input.bytes);
@@ -147,6 +160,7 @@ void add_inspect_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"classic", "xml", "json"}));
   verb->add_option("--program", options->program,
                    "One composed program: what feeds it, what each effect costs, and its text with the origin of every line");
+  verb->add_flag("--orders", options->orders, "Which effects that meet at a plug may be written in either order: draws both");
   verb->add_option("--format", options->format, "How to print programs: text or json")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
