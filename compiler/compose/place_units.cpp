@@ -3,6 +3,7 @@
 // that effects name come last: they only define functions.
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -42,6 +43,7 @@ class Placer {
   void place_libraries();
   bool base_has_marker(std::string_view name) const;
   bool authors_use(std::string_view castle_name) const { return used_names_.contains(castle_name); }
+  bool any_fills(std::string_view plug) const;
   Features base_features() const;
   Features light_features(const LightRecipe& light) const;
 
@@ -114,6 +116,14 @@ Features Placer::base_features() const {
   return features;
 }
 
+/// Some effect of the recipe, or its ComposedShader.
+bool Placer::any_fills(std::string_view plug) const {
+  const std::vector<int> effects = all_effects(recipe_);
+  const bool by_shader = recipe_.shader >= 0 && c_.input.shaders[static_cast<std::size_t>(recipe_.shader)].fills(plug);
+  return by_shader || std::ranges::any_of(
+                          effects, [&](int effect) { return c_.input.effects[static_cast<std::size_t>(effect)].fills(plug); });
+}
+
 Features Placer::light_features(const LightRecipe& light) const {
   Features features;
   const std::pair<bool, std::string_view> all[] = {{light.kind != LightKind::directional, "POSITIONAL"},
@@ -125,7 +135,10 @@ Features Placer::light_features(const LightRecipe& light) const {
                                                    {recipe_.physical, "PHYSICAL"},
                                                    {!recipe_.physical, "PHONG"},
                                                    {recipe_.specular, "SPECULAR"},
-                                                   {!base_adds_lights_, "AS_CONTRIBUTION"}};
+                                                   {!base_adds_lights_, "AS_CONTRIBUTION"},
+                                                   {any_fills("material_light_diffuse"), "WIDE_DIFFUSE"},
+                                                   {any_fills("material_light_ambient"), "WIDE_AMBIENT"},
+                                                   {any_fills("material_light_specular"), "WIDE_SPECULAR"}};
   for (const auto& [set, name] : all) {
     if (set) features.insert(name);
   }
@@ -232,14 +245,31 @@ void Placer::place_fog() {
   add_template("fog.frag", ShaderStage::fragment, recipe_.fog == FogKind::linear ? Features{"LINEAR"} : Features{}, kScope);
 }
 
+/// Adds the features of the library's functions that a part names.
+void note_library_features(const CodeUnit& code, std::set<std::string_view>& features) {
+  constexpr std::pair<std::string_view, std::string_view> kFunctions[] = {
+      {"position_world_to_eye_space", "POSITION_WORLD_TO_EYE"},
+      {"position_eye_to_world_space", "POSITION_EYE_TO_WORLD"},
+      {"direction_world_to_eye_space", "DIRECTION_WORLD_TO_EYE"},
+      {"direction_eye_to_world_space", "DIRECTION_EYE_TO_WORLD"}};
+  for (const auto& [function, feature] : kFunctions) {
+    if (code.text.text().find(function) != std::string_view::npos) features.insert(feature);
+  }
+}
+
 /// `castle-shader:/EyeWorldSpace.glsl` once in each stage in which an effect that names it has code (the scene knows no other).
 void Placer::place_libraries() {
-  std::set<ShaderStage> stages;
+  std::map<ShaderStage, std::set<std::string_view>> stages;
   for (const PlacedUnit& unit : c_.units) {
     const Owner& owner = c_.owners[unit.owner];
-    if (owner.kind == OwnerKind::effect && !c_.author(owner).libraries.empty()) stages.insert(unit.stage);
+    if (owner.kind == OwnerKind::effect && !c_.author(owner).libraries.empty())
+      note_library_features(*unit.code, stages[unit.stage]);
   }
-  for (const ShaderStage stage : stages) add_template("eye_world_space.glsl", stage, {}, {});
+  for (const auto& [stage, names] : stages) {
+    Features features;
+    for (const std::string_view name : names) features.insert(name);
+    if (!names.empty()) add_template("eye_world_space.glsl", stage, features, {});
+  }
 }
 
 void Placer::place_code(const EffectCode& code, std::size_t owner, PlugScope scope) {

@@ -153,17 +153,20 @@ Recipe RecipeMaker::make() {
       std::ranges::any_of(shape_.textures, [](const TextureUse& use) { return use.role != TextureRole::main; });
   const bool per_fragment = !shape_.receives.empty() || shape_.shader >= 0 || recipe.physical || has_further_textures;
   recipe.gouraud = shape_.shading == Shading::gouraud && !per_fragment;
-  recipe.normals = facts_.has_normals && (recipe.lit || has_effects() || recipe.shader >= 0);
-  recipe.two_sided = !facts_.solid && recipe.normals;
-  recipe.color_per_vertex = facts_.has_colors;
-  recipe.alpha_test = facts_.alpha_test;
-  const bool shines = may_differ(material_.specular, 0) && may_differ(material_.shininess, -1);
-  const bool phong = recipe.lit && !recipe.physical;
-  recipe.specular = phong && (shines || any_fills("material_specular") || any_fills("material_light_specular"));
-  recipe.emissive = recipe.lit && (may_differ(material_.emissive, 0) || any_fills("material_emissive"));
   if (recipe.lit || recipe.shader >= 0) {
     for (const int index : shape_.lights) recipe.lights.push_back(light(index));
   }
+  // an author's code may light the shape itself
+  const bool has_light = has_effects() || recipe.shader >= 0 || !std::ranges::all_of(recipe.lights, &LightRecipe::off);
+  recipe.normals = facts_.has_normals && has_light;
+  recipe.two_sided = !facts_.solid && recipe.normals;
+  recipe.color_per_vertex = facts_.has_colors;
+  recipe.alpha_test = facts_.alpha_test;
+  const bool shines = (may_differ(material_.specular, 0) && may_differ(material_.shininess, -1)) ||
+                      any_fills("material_specular") || any_fills("material_light_specular");
+  const bool phong = recipe.lit && !recipe.physical;
+  recipe.specular = phong && has_light && shines;
+  recipe.emissive = recipe.lit && (may_differ(material_.emissive, 0) || any_fills("material_emissive"));
   recipe.ambient = phong && (has_ambient() || any_fills("material_light_ambient"));
   for (const TextureUse& use : shape_.textures) {
     recipe.textures.push_back(texture(use, recipe));

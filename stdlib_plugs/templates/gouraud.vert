@@ -79,10 +79,9 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 #ifdef EMISSIVE
   vec3 emissive = castle_MaterialEmissive;
   /* PLUG: material_emissive (emissive) */
-  result.rgb += emissive;
+  result = vec4(result.rgb + emissive, result.a);
 #endif
-  result.rgb = min(result.rgb, vec3(1.0));
-  return result;
+  return vec4(min(result.rgb, vec3(1.0)), result.a);
 }
 #endif
 

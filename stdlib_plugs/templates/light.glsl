@@ -52,10 +52,6 @@ void light_source_N(inout vec4 color, const in vec4 vertex_eye, const in vec3 no
 #else
   vec3 light_dir = castle_LightSourceNPosition;
 #endif
-#ifdef RADIUS
-  if (light_distance > castle_LightSourceNRadius)
-    return;
-#endif
 #ifdef SPOT
   float spot_cos = dot(castle_LightSourceNSpotDirection, -light_dir);
   if (spot_cos < castle_LightSourceNSpotCosCutoff)
@@ -73,21 +69,37 @@ void light_source_N(inout vec4 color, const in vec4 vertex_eye, const in vec3 no
   light_scale /= max(castle_LightSourceNAttenuation.x + castle_LightSourceNAttenuation.y * light_distance +
                      castle_LightSourceNAttenuation.z * light_distance * light_distance, 1.0);
 #endif
+#ifdef RADIUS
+  light_scale *= step(light_distance, castle_LightSourceNRadius);
+#endif
 
 #ifdef PHYSICAL
   color.rgb += castle_LightSourceNColor * reflected_share(material, normal_eye, light_dir, view) * light_scale;
 #else
+  // Effects take these terms as vec4; where none does, three components do.
+#ifdef WIDE_DIFFUSE
   vec4 diffuse = vec4(material.diffuse_alpha.rgb * castle_LightSourceNColor, material.diffuse_alpha.a);
+#else
+  vec3 diffuse = material.diffuse_alpha.rgb * castle_LightSourceNColor;
+#endif
   /* PLUG: material_light_diffuse (diffuse, vertex_eye, normal_eye) */
   float diffuse_factor = max(dot(normal_eye, light_dir), 0.0);
   vec3 contribution = diffuse.rgb * diffuse_factor;
 #ifdef LIGHT_AMBIENT
+#ifdef WIDE_AMBIENT
   vec4 ambient = vec4(material.ambient * castle_LightSourceNAmbientColor, 1.0);
+#else
+  vec3 ambient = material.ambient * castle_LightSourceNAmbientColor;
+#endif
   /* PLUG: material_light_ambient (ambient) */
   contribution += ambient.rgb;
 #endif
 #ifdef SPECULAR
+#ifdef WIDE_SPECULAR
   vec4 specular = vec4(material.specular * castle_LightSourceNColor, 1.0);
+#else
+  vec3 specular = material.specular * castle_LightSourceNColor;
+#endif
   /* PLUG: material_light_specular (specular) */
   if (diffuse_factor > 0.0)
   {
@@ -95,7 +107,7 @@ void light_source_N(inout vec4 color, const in vec4 vertex_eye, const in vec3 no
     contribution += specular.rgb * pow(max(dot(half_vector, normal_eye), 0.0), material.shininess);
   }
 #endif
-  color.rgb += contribution * light_scale;
+  color = vec4(color.rgb + contribution * light_scale, color.a);
 #endif
 }
 
