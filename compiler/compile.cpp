@@ -202,7 +202,8 @@ std::vector<SceneEffectPair> effect_pairs(const std::filesystem::path& scene, co
                                           Diagnostics& diagnostics) {
   DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
   LoadedScene loaded = load_scene(scene, options, files, sources, diagnostics);
-  const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics);
+  MeshCache meshes;
+  const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics, meshes);
   const std::vector<SceneEffect>& effects = prepared.parts.scene.effects;
   std::vector<SceneEffectPair> pairs;
   for (EffectPair& pair : find_effect_pairs(prepared.parts.scene, prepared.effects)) {

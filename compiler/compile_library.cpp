@@ -156,10 +156,10 @@ std::vector<SceneParts> compile_library(const NodeGraph& graph, SourceSet& sourc
   std::vector<SceneParts> all;
   MeshCache meshes;
   for (const NodeId effect : library_effects(graph)) {
-    SceneOptions options;
-    options.alone = effect;
-    options.dynamic = {std::string(kLibraryStage) + ".whichChoice"};
-    Scene scene = build_scene(graph, sources, files, options, diagnostics);
+    SceneOptions alone;
+    alone.alone = effect;
+    alone.dynamic = {std::string(kLibraryStage) + ".whichChoice"};
+    Scene scene = build_scene(graph, sources, files, alone, diagnostics);
     if (scene.effects.empty()) continue;  // in another language: reported
     scene.name = scene.effects.front().label;
     PreparedScene prepared = prepare_scene(graph, std::move(scene), files, diagnostics, meshes);

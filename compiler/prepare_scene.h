@@ -11,6 +11,7 @@
 #include "compose/code_unit.h"
 #include "compose/recipe.h"
 #include "compose/shape_states.h"
+#include "mesh/unit_coords.h"
 #include "package/assemble_package.h"
 #include "scene/scene.h"
 
@@ -24,7 +25,7 @@ struct PreparedScene {
 };
 
 /// Meshes that several scenes of one graph share.
-using MeshCache = std::map<NodeId, std::shared_ptr<const Mesh>>;
+using MeshCache = std::map<std::pair<NodeId, std::vector<UnitCoords>>, std::shared_ptr<const Mesh>>;
 
 PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics,
                             MeshCache& meshes);

@@ -45,10 +45,9 @@ BoundTexture find_texture(LoadedScene& scene, const Pass& pass, const PackedBind
   return {scene.resources.stand_in(type).id()};
 }
 
-void bind_sampler(const gl::Functions& gl, const LoadedUniform& uniform, const BoundTexture& bound) {
-  for (std::uint32_t i = 0; i < uniform.count; ++i) {
-    gl::bind_texture(gl, uniform.unit + static_cast<GLint>(i), gl::texture_target(uniform.type), bound.texture, bound.sampler);
-  }
+void bind_sampler(const gl::Functions& gl, const LoadedUniform& uniform, std::uint32_t element, const BoundTexture& bound) {
+  gl::bind_texture(gl, uniform.unit + static_cast<GLint>(element), gl::texture_target(uniform.type), bound.texture,
+                   bound.sampler);
 }
 
 void set_numbers(const gl::Functions& gl, const LoadedUniform& uniform, const PackedBinding& binding,
@@ -57,26 +56,36 @@ void set_numbers(const gl::Functions& gl, const LoadedUniform& uniform, const Pa
   gl::set_uniform(gl, uniform.location, uniform.type, static_cast<GLsizei>(uniform.count), values);
 }
 
+/// Samplers that nothing feeds read a texel of their kind.
+void bind_stand_ins(const gl::Functions& gl, const LoadedUniform& uniform, const std::set<GLint>& fed_units,
+                    LoadedScene& scene) {
+  for (std::uint32_t element = 0; element < uniform.count; ++element) {
+    if (fed_units.contains(uniform.unit + static_cast<GLint>(element))) continue;
+    bind_sampler(gl, uniform, element, {scene.resources.stand_in(uniform.type).id()});
+  }
+}
+
 void apply_bindings(const gl::Functions& gl, LoadedScene& scene, const Pass& pass, const LoadedProgram& program,
                     const Bindings& bindings, const UniformInputs& inputs, Messages& messages) {
   std::vector<bool> fed(program.uniforms.size(), false);
+  std::set<GLint> fed_units;
   for (const PackedBinding* packed : bindings) {
     const PackedBinding& binding = *packed;
     const LoadedUniform& uniform = program.uniforms[binding.uniform()];
-    fed[binding.uniform()] = true;
     if (uniform.location < 0) continue;
+    fed[binding.uniform()] = true;
     if (gl::is_sampler(uniform.type)) {
-      bind_sampler(gl, uniform, find_texture(scene, pass, binding, uniform.type, messages));
+      fed_units.insert(uniform.unit + static_cast<GLint>(binding.b()));
+      bind_sampler(gl, uniform, binding.b(), find_texture(scene, pass, binding, uniform.type, messages));
     } else {
       set_numbers(gl, uniform, binding, inputs);
     }
   }
-  for (std::size_t i = 0; i < fed.size(); ++i) {
+  for (std::size_t i = 0; i < program.uniforms.size(); ++i) {
     const LoadedUniform& uniform = program.uniforms[i];
-    if (fed[i] || uniform.location < 0) continue;
     if (uniform.unit >= 0) {
-      bind_sampler(gl, uniform, {scene.resources.stand_in(uniform.type).id()});
-    } else if (!uniform.initial.empty()) {  // another shape of this program may have set it
+      bind_stand_ins(gl, uniform, fed_units, scene);
+    } else if (!fed[i] && uniform.location >= 0 && !uniform.initial.empty()) {  // another shape of this program may have set it
       gl::set_uniform(gl, uniform.location, uniform.type, static_cast<GLsizei>(uniform.count), uniform.initial);
     }
   }

@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "compose/castle_names.h"
 #include "compose/compose.h"
 
 namespace plugc {
@@ -126,6 +127,8 @@ struct Composition {
   std::string final_name(const PlacedUnit& unit, std::string_view name) const;
   /// What the owner's name is called once no two owners' names meet.
   std::string_view name_of(std::size_t owner, std::string_view name) const;
+  /// The GLSL type of a castle_ name here: of a texture, its own sampler.
+  std::string_view type_of(const CastleName& name) const;
   /// Leaves the unit's effect (or the ComposedShader) out of the program.
   void mark_faulty(const PlacedUnit& unit);
   bool is_faulty(const PlacedUnit& unit) const;

@@ -48,12 +48,23 @@ class RecipeMaker {
     return any_effect([](const EffectCode& code) { return !code.parts.empty(); });
   }
 
+  bool generates_coordinates() const {
+    return std::ranges::any_of(shape_.textures, [](const TextureUse& use) { return use.generator != CoordGenerator::none; });
+  }
+
   /// Whether the material's ambient colour may be other than black.
   bool has_ambient() const {
     return (may_differ(material_.ambient, 0) && may_differ(material_.ambient_color, 0)) || any_fills("material_ambient");
   }
+  /// A matrix may give q another value.
+  bool may_project(const SceneTextureTransform& transform) const {
+    const Slot* matrix = slot(transform.matrix);
+    if (matrix == nullptr) return false;
+    const std::vector<double>& m = matrix->values;
+    return matrix->routed || m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1;
+  }
   LightRecipe light(int index) const;
-  TextureRecipe texture(const TextureUse& use, const Recipe& recipe) const;
+  TextureRecipe texture(std::size_t number, const Recipe& recipe) const;
   bool is_read(TextureRole role, const Recipe& recipe) const;
   bool needs_vertex_eye(const Recipe& recipe) const;
 
@@ -121,13 +132,21 @@ bool RecipeMaker::is_read(TextureRole role, const Recipe& recipe) const {
   return false;
 }
 
-TextureRecipe RecipeMaker::texture(const TextureUse& use, const Recipe& recipe) const {
+TextureRecipe RecipeMaker::texture(std::size_t number, const Recipe& recipe) const {
+  const TextureUse& use = shape_.textures[number];
+  const SceneTexture& texture = scene_.textures[static_cast<std::size_t>(use.texture)];
   TextureRecipe made;
   made.role = is_read(use.role, recipe) ? use.role : TextureRole::unused;
   if (made.role == TextureRole::unused) return made;
-  made.mode = use.mode;
+  const bool by_matrix = use.transform >= 0 && may_project(scene_.texture_transforms[static_cast<std::size_t>(use.transform)]);
+  const bool by_mesh = use.generator == CoordGenerator::none && number < facts_.projective.size() && facts_.projective[number];
+  const bool projective = by_matrix || by_mesh || use.generator == CoordGenerator::projection;
+  made.kind = texture.kind;
+  made.combination = use.combination;
+  made.generator = use.generator;
   made.matrix = use.transform >= 0;
-  made.effects = switched_on(scene_.textures[static_cast<std::size_t>(use.texture)].effects);
+  made.projective = projective && texture.kind == TextureKind::image_2d;
+  made.effects = switched_on(texture.effects);
   return made;
 }
 
@@ -158,7 +177,7 @@ Recipe RecipeMaker::make() {
   }
   // an author's code may light the shape itself
   const bool has_light = has_effects() || recipe.shader >= 0 || !std::ranges::all_of(recipe.lights, &LightRecipe::off);
-  recipe.normals = facts_.has_normals && has_light;
+  recipe.normals = facts_.has_normals && (has_light || generates_coordinates());
   recipe.two_sided = !facts_.solid && recipe.normals;
   recipe.color_per_vertex = facts_.has_colors;
   recipe.alpha_test = facts_.alpha_test;
@@ -168,9 +187,7 @@ Recipe RecipeMaker::make() {
   recipe.specular = phong && has_light && shines;
   recipe.emissive = recipe.lit && (may_differ(material_.emissive, 0) || any_fills("material_emissive"));
   recipe.ambient = phong && (has_ambient() || any_fills("material_light_ambient"));
-  for (const TextureUse& use : shape_.textures) {
-    recipe.textures.push_back(texture(use, recipe));
-  }
+  for (std::size_t i = 0; i < shape_.textures.size(); ++i) recipe.textures.push_back(texture(i, recipe));
   if (shape_.fog >= 0) recipe.fog = scene_.fogs[static_cast<std::size_t>(shape_.fog)].kind;
   recipe.fog_coord = facts_.has_fog_coords;
   recipe.vertex_eye = needs_vertex_eye(recipe);
@@ -184,7 +201,55 @@ void append_effects(std::string& text, const std::vector<int>& effects, const Sc
   for (const int effect : effects) text += fmt::format(" `{}`", scene.effects[static_cast<std::size_t>(effect)].label);
 }
 
+/// `; texture 3d modulate2x, add sphere matrix`.
+std::string texture_text(const TextureRecipe& texture) {
+  constexpr std::string_view kKinds[] = {"", " 3d", " cube", " shadow", " shader"};
+  constexpr std::string_view kSources[] = {"", " diffuse", " specular", " factor"};
+  constexpr std::string_view kFunctions[] = {"", " complement", " alpha_replicate"};
+  constexpr std::string_view kGenerators[] = {"",
+                                              " sphere",
+                                              " camera_space_normal",
+                                              " camera_space_position",
+                                              " camera_space_reflection",
+                                              " sphere_local",
+                                              " coord",
+                                              " sphere_reflect",
+                                              " sphere_reflect_local",
+                                              " world_space_normal",
+                                              " world_space_reflection",
+                                              " projection"};
+  const TextureCombination& how = texture.combination;
+  const bool apart = how.alpha_mode != how.mode;
+  return fmt::format("; texture{} {}{}{}{}{}{}{}", kKinds[static_cast<std::size_t>(texture.kind)], to_text(how.mode),
+                     apart ? fmt::format(" / {}", to_text(how.alpha_mode)) : "", kSources[static_cast<std::size_t>(how.source)],
+                     kFunctions[static_cast<std::size_t>(how.function)],
+                     kGenerators[static_cast<std::size_t>(texture.generator)], texture.matrix ? " matrix" : "",
+                     texture.projective ? " projective" : "");
+}
+
 }  // namespace
+
+std::string_view to_text(TextureMode mode) {
+  constexpr std::string_view kModes[] = {"modulate",
+                                         "replace",
+                                         "modulate2x",
+                                         "modulate4x",
+                                         "add",
+                                         "addsigned",
+                                         "addsigned2x",
+                                         "subtract",
+                                         "addsmooth",
+                                         "blenddiffusealpha",
+                                         "blendtexturealpha",
+                                         "blendfactoralpha",
+                                         "blendcurrentalpha",
+                                         "modulatealpha_addcolor",
+                                         "modulateinvalpha_addcolor",
+                                         "modulateinvcolor_addalpha",
+                                         "selectarg2",
+                                         "dotproduct3"};
+  return kModes[static_cast<std::size_t>(mode)];
+}
 
 Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes,
                    const SwitchedParts& switched) {
@@ -251,16 +316,13 @@ std::string to_text(const Recipe& recipe, const Scene& scene) {
     }
     append_effects(text, light.effects, scene);
   }
-  constexpr std::string_view kModes[] = {"modulate", "replace", "add"};
   constexpr std::string_view kRoles[] = {
       "", "ambient", "specular", "shininess", "emissive", "occlusion", "metallic_roughness", "normal", "unused"};
   for (const TextureRecipe& texture : recipe.textures) {
-    if (texture.role != TextureRole::main) {
+    if (texture.role == TextureRole::main)
+      text += texture_text(texture);
+    else
       text += fmt::format("; texture {}{}", kRoles[static_cast<std::size_t>(texture.role)], texture.matrix ? " matrix" : "");
-      append_effects(text, texture.effects, scene);
-      continue;
-    }
-    text += fmt::format("; texture {}{}", kModes[static_cast<std::size_t>(texture.mode)], texture.matrix ? " matrix" : "");
     append_effects(text, texture.effects, scene);
   }
   if (!recipe.effects.empty()) {

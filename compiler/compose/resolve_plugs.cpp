@@ -12,6 +12,7 @@
 #include "compose/placed_unit.h"
 #include "compose/plug_signature.h"
 #include "compose/plug_table.h"
+#include "compose/sampler_type.h"
 
 namespace plugc {
 namespace {
@@ -38,7 +39,8 @@ class PlugResolver {
   std::vector<MarkerPlace> find_markers(std::size_t unit, std::size_t function, bool own_scope) const;
   CallResult call_at(std::size_t unit, std::size_t function, const MarkerPlace& place);
   CallResult add_call(std::size_t unit, std::size_t function, const MarkerPlace& place);
-  void report_unreached(const PlacedUnit& unit, const FunctionOutline& function);
+  void report_unreached(std::size_t unit, std::size_t function);
+  bool report_sampler_kind(const PlacedUnit& unit, const FunctionOutline& function);
   void report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
   const MarkerPlace* find_offer(std::string_view name, ShaderStage stage, bool in_stage) const;
   void report_unknown(const PlacedUnit& unit, const FunctionOutline& function);
@@ -209,8 +211,31 @@ void PlugResolver::report_absent_or_wrong_stage(const PlacedUnit& unit, const Fu
   }
 }
 
+/// What an effect of the texture itself would have to declare; false where that is not what is wrong. An effect that serves
+/// textures of several kinds has a function for each.
+bool PlugResolver::report_sampler_kind(const PlacedUnit& unit, const FunctionOutline& function) {
+  const bool of_texture = unit.scope.kind == ScopeKind::texture && plug_name(function.name) == "texture_color";
+  if (!of_texture) return false;
+  const TextureKind kind = c_.recipe.textures[static_cast<std::size_t>(unit.scope.number)].kind;
+  const auto fits = [&](const PlacedUnit& other) {
+    return other.owner == unit.owner && other.stage == unit.stage &&
+           std::ranges::any_of(other.code->outline.functions, [&](const FunctionOutline& each) {
+             return each.name == function.name && each.is_definition() && takes_texture(each, sampler_type(kind));
+           });
+  };
+  if (std::ranges::any_of(c_.units, fits)) return true;
+  report(DiagnosticId::sampler_kind, unit, function,
+         kind == TextureKind::shader
+             ? std::string("a `ShaderTexture` has no sampler; leave that parameter out")
+             : fmt::format("this texture is read by a `{0}`; declare `const in {0}` as second parameter", sampler_type(kind)));
+  return true;
+}
+
 /// No marker was reached: tell a name that nobody offers from one that this shape merely has not.
-void PlugResolver::report_unreached(const PlacedUnit& unit, const FunctionOutline& function) {
+void PlugResolver::report_unreached(std::size_t index, std::size_t f) {
+  const PlacedUnit& unit = c_.units[index];
+  const FunctionOutline& function = unit.code->outline.functions[f];
+  if (report_sampler_kind(unit, function)) return;
   const PlugInfo* plug = find_plug(plug_name(function.name));
   plug == nullptr ? report_unknown(unit, function) : report_absent_or_wrong_stage(unit, function, *plug);
 }
@@ -281,7 +306,7 @@ void PlugResolver::resolve_function(std::size_t index, std::size_t f) {
   if (results.contains(CallResult::called) && moves_vertices(function)) c_.result.moves_vertices = true;
   for (std::size_t m = 0; m < markers.size(); ++m) c_.result.calls.push_back(fmt::format("{} {}", name, to_text(unit.stage)));
   const bool of_use = results.contains(CallResult::called) || results.contains(CallResult::for_overload);
-  if (!of_use && !c_.recipe.depth_only) report_unreached(unit, function);
+  if (!of_use && !c_.recipe.depth_only) report_unreached(index, f);
 }
 
 /// A light or texture whose own code found no place in the base shader takes its effects and its shadow with it.

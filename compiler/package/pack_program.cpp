@@ -8,6 +8,8 @@
 #include "base/check.h"
 #include "compose/castle_names.h"
 #include "compose/check_fields.h"
+#include "compose/sampler_type.h"
+#include "package/target_variables.h"
 
 namespace plugc {
 namespace {
@@ -71,79 +73,6 @@ std::unique_ptr<PackedTargetProgramT> pack_target(const ValidatedProgram& progra
   return packed;
 }
 
-/// Numbers are those of the target that has some.
-void merge_numbers(ReflectedVariable& into, const ReflectedVariable& from) {
-  into.location = std::min(into.location, from.location);
-  into.binding = std::min(into.binding, from.binding);
-}
-
-/// The vertex inputs of all targets, each name once.
-std::vector<ReflectedVariable> all_attributes(const ValidRecipe& recipe) {
-  std::vector<ReflectedVariable> all;
-  for (const TargetProgram& target : recipe.targets) {
-    for (const ReflectedVariable& variable : target.program.attributes()) {
-      const auto same = std::ranges::find(all, variable.name, &ReflectedVariable::name);
-      same == all.end() ? all.push_back(variable) : merge_numbers(*same, variable);
-    }
-  }
-  return all;
-}
-
-bool same_declaration(const ReflectedVariable& a, const ReflectedVariable& b) {
-  return a.name == b.name && a.type == b.type && a.count == b.count;
-}
-
-/// What composing noted of a uniform; what feeds a uniform without a note follows from its name.
-struct UniformNote {
-  const FieldUniform* field = nullptr;
-  const SwitchUniform* switched = nullptr;
-};
-
-UniformNote find_note(const ComposedProgram& program, std::string_view uniform) {
-  const auto field = std::ranges::find(program.fields, uniform, &FieldUniform::name);
-  const auto switched = std::ranges::find(program.switches, uniform, &SwitchUniform::name);
-  return {field == program.fields.end() ? nullptr : &*field, switched == program.switches.end() ? nullptr : &*switched};
-}
-
-bool same_field(const FieldUniform* a, const FieldUniform* b) {
-  if (a == nullptr || b == nullptr) return a == b;
-  return a->owner == b->owner && a->of_shader == b->of_shader && a->field == b->field;
-}
-
-bool same_switch(const SwitchUniform* a, const SwitchUniform* b) {
-  if (a == nullptr || b == nullptr) return a == b;
-  return a->of_light == b->of_light && a->index == b->index;
-}
-
-/// A uniform of the targets that read the same under its name.
-struct UniformOfTargets {
-  ReflectedVariable variable;
-  UniformNote fed;
-  unsigned targets = 0;  ///< As PackedUniform::targets.
-};
-
-/// An effect may be left out of one target alone; then a name may mean another effect's field there.
-std::vector<UniformOfTargets> all_uniforms(const ValidRecipe& recipe) {
-  std::vector<UniformOfTargets> all;
-  for (const TargetProgram& target : recipe.targets) {
-    const unsigned bit = 1U << static_cast<unsigned>(target.program.target());
-    for (const ReflectedVariable& variable : target.program.uniforms()) {
-      const UniformNote fed = find_note(target.composed, variable.name);
-      const auto same = std::ranges::find_if(all, [&](const UniformOfTargets& other) {
-        return same_declaration(other.variable, variable) && same_field(other.fed.field, fed.field) &&
-               same_switch(other.fed.switched, fed.switched);
-      });
-      if (same == all.end()) {
-        all.push_back({variable, fed, bit});
-      } else {
-        same->targets |= bit;
-        merge_numbers(same->variable, variable);
-      }
-    }
-  }
-  return all;
-}
-
 /// What the uniform's declaration gives it; nothing where that does not fit its type.
 std::vector<double> initial_of(const UniformOfTargets& uniform, PackedUniformType type) {
   const FieldUniform* field = uniform.fed.field;
@@ -179,7 +108,12 @@ class Binder {
   void bind_shadow(std::uint32_t index, PackedSource source, int number);
   void bind_material(std::uint32_t index, CastleSource source);
   void bind_fog(std::uint32_t index, CastleSource source);
-  void bind_texture(std::uint32_t index, int texture);
+  void bind_texture(std::uint32_t index, int texture, std::uint32_t element = 0);
+  bool reads(std::string_view sampler, int texture) const {
+    return sampler_type(c_.scene.textures[static_cast<std::size_t>(texture)].kind) == sampler;
+  }
+  void bind_texture_matrix(std::uint32_t index, int transform);
+  void bind_projector(std::uint32_t index, int projector);
   void add(std::uint32_t index, PackedSource source, std::uint32_t a = 0, std::uint32_t b = 0, float scale = 1) {
     bindings_.emplace_back(index, a, b, scale, source);
   }
@@ -194,24 +128,43 @@ class Binder {
   std::vector<PackedBinding> bindings_;
 };
 
-void Binder::bind_texture(std::uint32_t index, int texture) {
+void Binder::bind_texture(std::uint32_t index, int texture, std::uint32_t element) {
   if (texture < 0) return;
+  const int map = c_.scene.textures[static_cast<std::size_t>(texture)].shadow_map;
+  if (map >= 0) return add(index, PackedSource::shadow_map, static_cast<std::uint32_t>(map), element);
   const std::uint32_t packed = c_.package_textures[static_cast<std::size_t>(texture)];
-  if (packed != kNothing) add(index, PackedSource::texture, packed);
+  if (packed != kNothing) add(index, PackedSource::texture, packed, element);
+}
+
+void Binder::bind_texture_matrix(std::uint32_t index, int transform) {
+  if (transform < 0) return;
+  const std::uint32_t matrix = c_.scene.texture_transforms[static_cast<std::size_t>(transform)].matrix;
+  if (matrix != kSceneNoSlot) return add(index, PackedSource::slot, matrix);
+  add(index, PackedSource::texture_matrix, static_cast<std::uint32_t>(transform));
+}
+
+void Binder::bind_projector(std::uint32_t index, int projector) {
+  if (projector < 0) return;
+  const SceneProjector& found = c_.scene.projectors[static_cast<std::size_t>(projector)];
+  if (found.shadow_map >= 0) return add(index, PackedSource::projector_matrix, static_cast<std::uint32_t>(found.shadow_map));
+  if (found.viewpoint.node.valid()) add(index, PackedSource::viewpoint_projector_matrix, static_cast<std::uint32_t>(projector));
 }
 
 void Binder::bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& fed) {
-  const bool sampler = uniform.type.find("sampler") != std::string::npos;
+  const bool sampler = is_sampler(uniform.type);
   if (fed.field < 0) {
     // a sampler that nothing feeds sees unit 0, as an unset sampler uniform does in OpenGL
-    if (sampler && fed.of_shader && !c_.shape.textures.empty()) bind_texture(index, c_.shape.textures.front().texture);
+    const auto& used = c_.shape.textures;
+    const bool fits = sampler && fed.of_shader && !used.empty() && reads(uniform.type, used.front().texture);
+    if (fits) bind_texture(index, used.front().texture);
     return;
   }
   const auto& owners = fed.of_shader ? c_.scene.shaders : c_.scene.effects;
   const ShaderField& field = owners[static_cast<std::size_t>(fed.owner)].fields[static_cast<std::size_t>(fed.field)];
-  if (!feeds(field, uniform.type)) return;  // reported by check_fields
+  if (!feeds(c_.scene, field, uniform.type)) return;  // reported by check_fields
   if (sampler) {
-    if (!field.textures.empty()) bind_texture(index, field.textures.front());
+    const std::size_t count = std::min<std::size_t>(field.textures.size(), uniform.count);
+    for (std::size_t i = 0; i < count; ++i) bind_texture(index, field.textures[i], static_cast<std::uint32_t>(i));
   } else if (field.slot != kSceneNoSlot) {
     add(index, PackedSource::slot, field.slot);
   }
@@ -288,9 +241,13 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::fog_visibility_range: return bind_fog(index, name.source);
     case CastleSource::global_ambient: return add(index, PackedSource::slot, c_.scene.global_ambient);
     case CastleSource::texture: return bind_texture(index, use.texture);
-    case CastleSource::texture_matrix:
-      if (use.transform >= 0) add(index, PackedSource::texture_matrix, static_cast<std::uint32_t>(use.transform));
+    case CastleSource::texture_matrix: return bind_texture_matrix(index, use.transform);
+    case CastleSource::texture_coord_parameter:
+      if (use.parameter != kSceneNoSlot) add(index, PackedSource::slot, use.parameter);
       return;
+    case CastleSource::texture_projector: return bind_projector(index, use.projector);
+    case CastleSource::multi_texture_color:
+      return add(index, PackedSource::color_and_alpha, c_.shape.multi_color, c_.shape.multi_alpha);
     default: return bind_material(index, name.source);
   }
 }

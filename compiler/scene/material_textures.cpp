@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "scene/scene_context.h"
 
 namespace plugc {
@@ -27,6 +29,14 @@ bool has_field(const NodeGraph& graph, NodeId node, std::string_view field) {
   return find_field_info(*graph[node].info, field) != nullptr;
 }
 
+/// Volumes and cubes say nothing of a surface.
+bool is_picture(SceneContext& context, NodeId node, int texture, std::string_view field) {
+  if (context.scene.textures[static_cast<std::size_t>(texture)].kind == TextureKind::image_2d) return true;
+  context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span,
+                             fmt::format("a `{}` is not drawn as `{}`, which takes a picture", context.graph[node].info->name, field));
+  return false;
+}
+
 }  // namespace
 
 int coordinate_unit(const NodeGraph& graph, NodeId geometry, std::string_view mapping) {
@@ -45,8 +55,9 @@ void read_material_textures(SceneContext& context, NodeId material, NodeId trans
   if (!material.valid() || graph.is(material, "UnlitMaterial")) return;
   for (const TextureField& field : kTextureFields) {
     if (!has_field(graph, material, field.texture)) continue;
-    const int texture = texture_index(context, graph.child(material, field.texture));
-    if (texture < 0) continue;
+    const NodeId node = graph.child(material, field.texture);
+    const int texture = texture_index(context, node);
+    if (texture < 0 || !is_picture(context, node, texture, field.texture)) continue;
     const bool mapped = has_field(graph, material, field.mapping);
     const int unit = coordinate_unit(graph, shape.geometry, mapped ? graph.string(material, field.mapping) : "");
     shape.textures.push_back({.texture = texture,

@@ -22,12 +22,13 @@ using spirv_cross::Compiler;
 using spirv_cross::SPIRType;
 
 /// The renderer's attributes have the same location in every program, which are those of the runtime.
-constexpr std::uint32_t kFirstTexCoord = 4, kFirstCustom = 12;
+constexpr std::uint32_t kFirstTexCoord = 4, kFirstCustom = 12, kFogCoord = 15;
 
 std::optional<std::uint32_t> renderer_location(std::string_view attribute) {
   constexpr std::string_view kNames[] = {"castle_Vertex", "castle_Normal", "castle_ColorPerVertex", "castle_Tangent"};
   const auto found = std::ranges::find(kNames, attribute);
   if (found != std::end(kNames)) return static_cast<std::uint32_t>(found - std::begin(kNames));
+  if (attribute == "castle_FogCoord") return kFogCoord;
   constexpr std::string_view kTexCoord = "castle_MultiTexCoord";
   const bool one_digit = attribute.size() == kTexCoord.size() + 1 && attribute.starts_with(kTexCoord);
   const char digit = one_digit ? attribute.back() : '?';

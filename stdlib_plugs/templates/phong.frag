@@ -2,7 +2,7 @@
 #ifdef VERTEX_EYE
 in vec4 castle_vertex_eye;
 #endif
-#ifdef NORMALS
+#ifdef NORMAL_EYE
 in vec3 castle_normal_eye;
 #endif
 #ifdef COLOR_PER_VERTEX
@@ -184,7 +184,7 @@ void main()
 #else
   vec4 vertex_eye = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
-#ifdef NORMALS
+#ifdef NORMAL_EYE
   vec3 normal_eye = normalize(castle_normal_eye);
 #ifdef TWO_SIDED
   if (!gl_FrontFacing)

@@ -6,7 +6,9 @@
 // A plug function returns void, and its parameters have the types of the table; `inout` may be weakened to `in`, `const in` or
 // `out`, and const may be added to an `in` or dropped. A `const in` that the template reads afterwards may be strengthened,
 // which is warned of. An author's marker asks for as many arguments as it passes; of
-// overloads, those are called whose types fit. A function that does not fit (one of the table, wherever it stands) makes its
+// overloads, those are called whose types fit. texture_color takes the sampler that reads its texture, and none for a
+// ShaderTexture; on a shape it reaches the textures that it takes, but an effect of a texture that takes it nowhere has the
+// wrong kind of sampler. A function that does not fit (one of the table, wherever it stands) makes its
 // effect faulty; one that merely reaches no marker does not: an unknown name, a name offered only later, a plug of another
 // stage, or a plug that this shape lacks.
 
@@ -50,7 +52,8 @@ bool has_strengthened(const FunctionModel& function, const PlugRow& row) {
   return false;
 }
 
-bool fits_row(const FunctionModel& function, const PlugRow& row) {
+bool fits_row(const FunctionModel& function, PlugRow row) {
+  if (row.name == "texture_color" && function.parameters.size() == 2) row.parameters.erase(row.parameters.begin() + 1);
   if (function.parameters.size() != row.parameters.size()) return false;
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const ParameterModel &own = function.parameters[i], &asked = row.parameters[i];
@@ -76,7 +79,7 @@ class PlugFiller {
     if (reached.empty()) return complain(why_unreached(row), false);
     const auto of_use = std::count_if(reached.begin(), reached.end(), [&](Marker* m) { return has_overload_for(*m); });
     if (row == nullptr && of_use < std::ssize(reached)) return complain("effect-wrong-signature", true);
-    if (of_use == 0) complain("effect-plug-absent", false);
+    if (of_use == 0) complain_of_texture(*reached.front());
     for (Marker* marker : reached) {
       if (fits_marker(*marker, function)) marker->calls.push_back({piece, &function});
     }
@@ -88,6 +91,16 @@ class PlugFiller {
   void complain(std::string_view code, bool faulty) {
     say(said_, function_->line, code);
     if (faulty) program_.faulty.insert(piece().effect);
+  }
+
+  /// No function of the part takes a texture that this one reaches. Another part of the effect may.
+  void complain_of_texture(const Marker& marker) {
+    if (piece().scope.kind != ScopeKind::texture) return complain("effect-plug-absent", false);
+    const bool other_part = std::any_of(program_.pieces.begin(), program_.pieces.end(), [&](const Piece& other) {
+      return other.placement == piece().placement && other.effect == piece().effect && other.stage == piece().stage &&
+             takes(*other.part, marker);
+    });
+    if (!other_part) complain("sampler-kind", false);
   }
 
   bool is_earlier(const Marker& marker) const { return marker.piece < static_cast<int>(piece_); }
@@ -122,17 +135,21 @@ class PlugFiller {
   }
 
   /// Whether this function or another definition in its part fits the marker.
-  bool has_overload_for(const Marker& marker) const {
-    const auto& functions = piece().part->functions;
-    return std::any_of(functions.begin(), functions.end(), [&](const FunctionModel& other) {
+  bool has_overload_for(const Marker& marker) const { return takes(*piece().part, marker); }
+
+  bool takes(const PartModel& part, const Marker& marker) const {
+    return std::any_of(part.functions.begin(), part.functions.end(), [&](const FunctionModel& other) {
       return other.is_plug && other.name == function_->name && fits_marker(marker, other);
     });
   }
 
-  /// Texture plugs: every texture is a sampler2D. Authors' plugs: as many
-  /// arguments, and of overloads the one with their type.
-  static bool fits_marker(const Marker& marker, const FunctionModel& function) {
-    if (marker.plug == "texture_color") return function.parameters[1].type == "sampler2D";
+  /// Texture plugs: the texture's sampler. Authors' plugs: as many arguments, and of overloads the one with their type.
+  bool fits_marker(const Marker& marker, const FunctionModel& function) const {
+    if (marker.plug == "texture_color") {
+      const std::string& sampler = program_.shape.textures[static_cast<std::size_t>(marker.scope.number)].sampler;
+      if (sampler.empty()) return function.parameters.size() == 2;
+      return function.parameters.size() == 3 && function.parameters[1].type == sampler;
+    }
     if (marker.statement == nullptr) return true;
     const bool as_many = function.parameters.size() == static_cast<std::size_t>(marker.statement->count);
     return as_many && function.parameters[0].type == marker.statement->type;

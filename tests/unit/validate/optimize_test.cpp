@@ -72,7 +72,8 @@ uniform float weights[3];
 uniform float shared_by_both;
 out vec4 castle_FragColor;
 void main() {
-  castle_FragColor = vec4(second + texture(z_map, third[1]).rgb, first[1] * shared_by_both * weights[2] * texture(a_map, third[0]).r);
+  castle_FragColor = vec4(second + texture(z_map, third[1]).rgb, first[1] * shared_by_both * weights[2]);
+  castle_FragColor.a *= texture(a_map, third[0]).r;
 }
 )";
 
