@@ -23,13 +23,16 @@ struct CommonOptions {
   std::string root;
   std::vector<std::string> targets = {"glsl330"};
   bool no_cache = false;
+  std::size_t jobs = 1;
   std::vector<std::string> dynamic;
 };
 void add_common_options(CLI::App& verb, CommonOptions& options);
 /// `--dynamic`, for the verbs that make packages.
 void add_dynamic_option(CLI::App& verb, CommonOptions& options);
 CompileOptions compile_options(const CommonOptions& options);
-/// Forks the validating worker: call it before any thread is started.
+/// `-j N`: what is said and made does not depend on it.
+void add_jobs_option(CLI::App& verb, CommonOptions& options, const std::string& meaning);
+/// Forks the validating workers: call it before any thread is started.
 Validator make_validator(const CommonOptions& options);
 
 /// plugc's private cache folder (`$PLUGC_CACHE_DIR`, `$XDG_CACHE_HOME/plugc`, `~/.cache/plugc`), made on demand; empty

@@ -15,6 +15,8 @@ class SourceList {
  public:
   SourceList(const SourceSet& sources, std::vector<std::string>& names) : sources_(&sources), names_(&names) {}
   std::vector<PackedLineOrigin> origins(const MappedText& text);
+  /// Where columns differ from those of the lines that `origins` names.
+  std::vector<PackedColumnOrigin> columns(const MappedText& text, const std::vector<PackedLineOrigin>& origins);
 
  private:
   std::uint32_t index(SourceId source);

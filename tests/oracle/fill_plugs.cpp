@@ -77,9 +77,13 @@ class PlugFiller {
     const auto of_use = std::count_if(reached.begin(), reached.end(), [&](Marker* m) { return has_overload_for(*m); });
     if (row == nullptr && of_use < std::ssize(reached)) return complain("effect-wrong-signature", true);
     if (of_use == 0) complain("effect-plug-absent", false);
+    bool called = false;
     for (Marker* marker : reached) {
-      if (fits_marker(*marker, function)) marker->calls.push_back({piece, &function});
+      if (!fits_marker(*marker, function)) continue;
+      marker->calls.push_back({piece, &function});
+      called = true;
     }
+    if (called) note_need(reached);
   }
 
  private:
@@ -88,6 +92,15 @@ class PlugFiller {
   void complain(std::string_view code, bool faulty) {
     say(said_, function_->line, code);
     if (faulty) program_.faulty.insert(piece().effect);
+  }
+
+  /// Where all markers are one other effect's, the function is nothing without that effect.
+  void note_need(const std::vector<Marker*>& reached) {
+    std::set<int> owners;
+    for (const Marker* marker : reached)
+      owners.insert(marker->piece < 0 ? -1 : program_.pieces[static_cast<std::size_t>(marker->piece)].effect);
+    const int provider = *owners.begin();
+    if (owners.size() == 1 && provider >= 0 && provider != piece().effect) program_.needs.push_back({piece().effect, provider});
   }
 
   bool is_earlier(const Marker& marker) const { return marker.piece < static_cast<int>(piece_); }
