@@ -40,7 +40,8 @@ class ProgramPool {
 
 /// A line of a driver's log, as `0:12(3): error: text` (Mesa) or `0(12) : error C0000: text` say it.
 struct DriverError {
-  std::uint32_t line = 0;  ///< From 1; 0 when the log names none.
+  std::uint32_t line = 0;    ///< From 1; 0 when the log names none.
+  std::uint32_t column = 0;  ///< From 1; 0 when the log names none.
   std::string text;
 };
 std::vector<DriverError> parse_driver_log(std::string_view log);

@@ -135,6 +135,18 @@ void Diagnostics::report(DiagnosticId id, const Span& span, std::string message,
   diagnostics_.push_back({id, span, std::move(message), std::move(related)});
 }
 
+void Diagnostics::append(const Diagnostics& other, std::uint32_t first_source) {
+  const auto moved = [first_source](Span span) {
+    if (span.valid()) span.source.value += first_source;
+    return span;
+  };
+  for (const Diagnostic& said : other.all()) {
+    std::vector<RelatedPlace> related;
+    for (const RelatedPlace& place : said.related) related.push_back({moved(place.span), place.message});
+    report(said.id, moved(said.span), said.message, std::move(related));
+  }
+}
+
 std::size_t Diagnostics::count(Severity severity) const {
   return static_cast<std::size_t>(std::count_if(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& said) {
     return diagnostic_kind(said.id).severity == severity;

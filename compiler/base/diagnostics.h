@@ -51,6 +51,9 @@ class Diagnostics {
 
   void report(DiagnosticId id, const Span& span, std::string message, std::vector<RelatedPlace> related = {});
 
+  /// Reports what others say, whose sources are this one's own from `first_source` on (SourceSet::append).
+  void append(const Diagnostics& other, std::uint32_t first_source);
+
   std::span<const Diagnostic> all() const { return diagnostics_; }
   const SourceSet& sources() const { return *sources_; }
   std::size_t count(Severity severity) const;

@@ -6,6 +6,7 @@
 #include "base/source.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/check.h"
 
@@ -44,6 +45,13 @@ const SourceSet::Source& SourceSet::source(SourceId id) const {
     return found->second;
   PLUGC_CHECK(id.value < sources_.size(), "a source of this set");
   return sources_[id.value];
+}
+
+std::uint32_t SourceSet::append(SourceSet&& other) {
+  const auto first = static_cast<std::uint32_t>(sources_.size());
+  std::move(other.sources_.begin(), other.sources_.end(), std::back_inserter(sources_));
+  other.sources_.clear();
+  return first;
 }
 
 std::string_view SourceSet::name(SourceId id) const {
@@ -177,6 +185,14 @@ void MappedText::append(const MappedText& other, std::uint32_t begin, std::uint3
     built.add_piece(piece);
   }
   built.text.append(from.text, begin, end - begin);
+}
+
+std::vector<std::uint32_t> MappedText::seams() const {
+  std::vector<std::uint32_t> offsets;
+  if (!built_ && !empty()) offsets.push_back(0);
+  if (!built_) return offsets;
+  for (const Piece& piece : built_->pieces) offsets.push_back(piece.text_begin);
+  return offsets;
 }
 
 Span MappedText::locate(std::uint32_t begin, std::uint32_t end) const {

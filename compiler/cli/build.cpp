@@ -94,6 +94,7 @@ void add_build_command(CLI::App& app, int& status) {
   add_dynamic_option(*verb, options->common);
   add_optimize_option(*verb, options->common);
   add_common_options(*verb, options->common);
+  add_jobs_option(*verb, options->common, "Programs that are validated at a time");
   verb->footer(
       "Programs that are equal are stored once. An effect that does not compile is left out alone, with a message;\n"
       "the package then holds the rest and the exit status is 1. A file with effects and no shape becomes a library:\n"

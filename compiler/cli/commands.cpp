@@ -96,8 +96,14 @@ CompileOptions compile_options(const CommonOptions& options) {
   return compile;
 }
 
+void add_jobs_option(CLI::App& verb, CommonOptions& options, const std::string& meaning) {
+  constexpr std::size_t kMostJobs = 256;
+  verb.add_option("-j,--jobs", options.jobs, meaning)->check(CLI::Range(std::size_t{1}, kMostJobs))->capture_default_str();
+}
+
 Validator make_validator(const CommonOptions& options) {
   ValidatorOptions validator;
+  validator.workers = options.jobs;
   if (!options.no_cache) validator.cache_folder = cache_folder("verdicts");
   return Validator(validator);
 }

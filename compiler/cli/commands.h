@@ -24,6 +24,7 @@ struct CommonOptions {
   std::vector<std::string> targets = {"glsl330"};
   bool no_cache = false;
   bool optimize = false;
+  std::size_t jobs = 1;
   std::vector<std::string> dynamic;
 };
 void add_common_options(CLI::App& verb, CommonOptions& options);
@@ -32,7 +33,9 @@ void add_dynamic_option(CLI::App& verb, CommonOptions& options);
 /// `--optimize`, for the same.
 void add_optimize_option(CLI::App& verb, CommonOptions& options);
 CompileOptions compile_options(const CommonOptions& options);
-/// Forks the validating worker: call it before any thread is started.
+/// `-j N`: what is said and made does not depend on it.
+void add_jobs_option(CLI::App& verb, CommonOptions& options, const std::string& meaning);
+/// Forks the validating workers: call it before any thread is started.
 Validator make_validator(const CommonOptions& options);
 
 /// plugc's private cache folder (`$PLUGC_CACHE_DIR`, `$XDG_CACHE_HOME/plugc`, `~/.cache/plugc`), made on demand; empty

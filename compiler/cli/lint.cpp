@@ -1,6 +1,12 @@
-// plugc lint: every effect of the files given, also those that are disabled or in branches that are not drawn.
+// plugc lint: every effect of the files given, also those that are disabled or in branches that are not drawn. Files are
+// independent of each other: with `-j N`, N threads, each with a validating process of its own, take the next file that
+// nobody has taken. What is said of them is joined in the order of the files.
 
+#include <algorithm>
+#include <atomic>
+#include <functional>
 #include <memory>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -16,15 +22,43 @@ struct LintOptions {
   std::string format = "text";
 };
 
-int lint(const LintOptions& options) {
-  Validator validator = make_validator(options.common);
+/// What was said of one file, and what that points into.
+struct LintedFile {
   SourceSet sources;
-  Diagnostics diagnostics(sources);
+  Diagnostics diagnostics{sources};
+};
+
+using LintedFiles = std::vector<std::unique_ptr<LintedFile>>;
+
+LintedFiles lint_files(const std::vector<std::filesystem::path>& files, const LintOptions& options) {
+  CommonOptions one_job = options.common;
+  one_job.jobs = 1;
   CompileOptions compile_with = compile_options(options.common);
   compile_with.for_lint = true;
   compile_with.stage = "teapot";
+  std::vector<Validator> validators;
+  const std::size_t jobs = std::clamp<std::size_t>(files.size(), 1, options.common.jobs);
+  for (std::size_t i = 0; i < jobs; ++i) validators.push_back(make_validator(one_job));
+  LintedFiles linted(files.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&](Validator& validator) {
+    for (std::size_t i = next++; i < files.size(); i = next++) {
+      linted[i] = std::make_unique<LintedFile>();
+      compile({files[i]}, compile_with, validator, linted[i]->sources, linted[i]->diagnostics);
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 1; i < jobs; ++i) threads.emplace_back(work, std::ref(validators[i]));
+  work(validators.front());
+  return linted;
+}
+
+int lint(const LintOptions& options) {
   const std::vector<std::filesystem::path> files = scene_files(options.paths);
-  for (const std::filesystem::path& file : files) compile({file}, compile_with, validator, sources, diagnostics);
+  const LintedFiles linted = lint_files(files, options);
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  for (const auto& file : linted) diagnostics.append(file->diagnostics, sources.append(std::move(file->sources)));
   if (options.format == "text") {
     const int status = report(diagnostics);
     fmt::print("{} files, {} errors, {} warnings, {} notes\n", files.size(), diagnostics.count(Severity::error),
@@ -48,6 +82,7 @@ void add_lint_command(CLI::App& app, int& status) {
       ->delimiter(',')
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
   add_common_options(*verb, options->common);
+  add_jobs_option(*verb, options->common, "Files that are checked at a time");
   verb->footer(
       "Each message names the author's file, line and column, and a stable code in brackets.\n\n"
       "Example: plugc lint --format github effects/");

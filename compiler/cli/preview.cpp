@@ -203,6 +203,7 @@ void add_preview_command(CLI::App& app, int& status) {
   add_dynamic_option(*verb, options->common);
   add_optimize_option(*verb, options->common);
   add_common_options(*verb, options->common);
+  add_jobs_option(*verb, options->common, "Programs that are validated at a time");
   verb->footer(
       "Draws on the CPU (OSMesa); no display is needed.\n\n"
       "Example: plugc preview scene.x3dv -o picture.png --size 800x450");

@@ -47,9 +47,12 @@ class NameBinder {
   void compare_stages(const PlacedUnit& unit);
   void bind_unit(const PlacedUnit& unit);
   void step_aside(const PlacedUnit& unit, std::string_view name);
+  std::vector<RelatedPlace> undefined_causes(const PlacedUnit& unit, const FunctionOutline& prototype) const;
   void bind_function(const PlacedUnit& unit, const FunctionOutline& prototype);
   Writers writers(ShaderStage reader, std::string_view name) const;
   std::string unwritten_message(const PlacedUnit& unit, const GlobalOutline& input) const;
+  std::vector<RelatedPlace> unwritten_causes(const PlacedUnit& unit, std::string_view name) const;
+  void note_geometry(const PlacedUnit& unit, std::string_view name, const Writers& all);
   void bind_input(const PlacedUnit& unit, const GlobalOutline& input);
   void check_castle_inputs(const PlacedUnit& unit);
   std::set<std::size_t> one_for_each_author(const std::set<std::size_t>& owners) const;
@@ -157,6 +160,17 @@ void NameBinder::step_aside(const PlacedUnit& unit, std::string_view name) {
   borrowed.insert_or_assign(std::string(name), c_.taken.new_name(std::string(name), unit.owner, c_.units));
 }
 
+/// Another effect's function of that name with other parameters, else code that is not understood.
+std::vector<RelatedPlace> NameBinder::undefined_causes(const PlacedUnit& unit, const FunctionOutline& prototype) const {
+  for (const PlacedUnit& other : c_.units) {
+    for (const FunctionOutline& function : other.code->outline.functions) {
+      const bool same_name = other.stage == unit.stage && function.is_definition() && function.name == prototype.name;
+      if (same_name) return {{name_span(*other.code, function.name, function.name_begin), "it has other parameters here"}};
+    }
+  }
+  return doubtful_places(c_.input, unit.stage, prototype.name);
+}
+
 void NameBinder::bind_function(const PlacedUnit& unit, const FunctionOutline& prototype) {
   std::set<std::size_t> candidates;
   for (const Definition& definition : functions_[{unit.stage, prototype.name}]) {
@@ -170,6 +184,8 @@ void NameBinder::bind_function(const PlacedUnit& unit, const FunctionOutline& pr
                               prototype.name, candidates.size()));
   }
   if (candidates.size() == 1) {
+    if (is_used(*unit.code, prototype.name, {prototype.name_begin}))
+      c_.note_need(unit, *candidates.begin(), NeedKind::function, prototype.name);
     borrowings_.push_back({static_cast<std::size_t>(&unit - c_.units.data()), &prototype, *candidates.begin()});
     return;
   }
@@ -180,7 +196,8 @@ void NameBinder::bind_function(const PlacedUnit& unit, const FunctionOutline& pr
   }
   report(DiagnosticId::shader_invalid, unit, prototype.name, prototype.name_begin,
          fmt::format("`{}` is declared and called, but nothing defines it in the {} stage of this shape", prototype.name,
-                     to_text(unit.stage)));
+                     to_text(unit.stage)),
+         undefined_causes(unit, prototype));
 }
 
 /// Who writes the name for a stage to read. Fragment code behind a geometry stage reads what that writes, and what passes it.
@@ -219,19 +236,48 @@ std::string NameBinder::unwritten_message(const PlacedUnit& unit, const GlobalOu
                      input.name, input.type, input.name);
 }
 
+/// What geometry code writes is there as long as some effect brings the `main` of that stage.
+void NameBinder::note_geometry(const PlacedUnit& unit, std::string_view name, const Writers& all) {
+  const auto& outputs = outputs_[static_cast<std::size_t>(ShaderStage::geometry)];
+  const auto written = outputs.find(name);
+  if (!c_.has_geometry || unit.stage != ShaderStage::fragment || written == outputs.end()) return;
+  const bool reads = std::any_of(written->second.begin(), written->second.end(),
+                                 [&](const auto& writer) { return all.contains(writer.first); });
+  if (reads) c_.note_need(unit, c_.geometry.owner, NeedKind::geometry_shader, "");
+}
+
 void NameBinder::bind_input(const PlacedUnit& unit, const GlobalOutline& input) {
   const std::string_view read = unit.code->macro_word(input.name);
   const Writers all = writers(unit.stage, read);
+  note_geometry(unit, read, all);
   if (all.contains(unit.owner) || !is_used(*unit.code, input.name, {input.name_begin})) return;
   const std::set<std::size_t> candidates = one_for_each_author(owners_that_fit(all, input, unit.stage));
   if (candidates.size() == 1) {
+    c_.note_need(unit, *candidates.begin(), NeedKind::varying, read);
     return borrow_name(c_, unit, read, *candidates.begin());
   }
   const std::string message = candidates.empty()
                                   ? unwritten_message(unit, input)
                                   : fmt::format("`{}` is read here and written by {} other effects; write it in this one",
                                                 input.name, candidates.size());
-  report(DiagnosticId::varying_unwritten, unit, input.name, input.name_begin, message);
+  report(DiagnosticId::varying_unwritten, unit, input.name, input.name_begin, message,
+         candidates.empty() ? unwritten_causes(unit, read) : std::vector<RelatedPlace>());
+}
+
+/// Where it is declared and not written; else code that is not understood and may have been meant to write it, or to bring the
+/// geometry stage in which it is written.
+std::vector<RelatedPlace> NameBinder::unwritten_causes(const PlacedUnit& unit, std::string_view name) const {
+  for (const PlacedUnit& other : c_.units) {
+    for (const GlobalOutline& global : other.code->outline.globals) {
+      if (global.storage == Storage::out && global.name == name && other.stage != ShaderStage::fragment)
+        return {{name_span(*other.code, global.name, global.name_begin), "it is declared here"}};
+    }
+  }
+  std::vector<RelatedPlace> causes = doubtful_places(c_.input, ShaderStage::vertex, name);
+  const bool by_geometry = outputs_[static_cast<std::size_t>(ShaderStage::geometry)].contains(name) || !c_.has_geometry;
+  if (causes.empty() && unit.stage == ShaderStage::fragment && by_geometry)
+    causes = doubtful_places(c_.input, ShaderStage::geometry, "");
+  return causes;
 }
 
 /// castle_ varyings that this shape's vertex stage does not have: `castle_Color` under Phong shading, say.

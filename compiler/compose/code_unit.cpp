@@ -13,6 +13,7 @@
 #include "compose/plug_signature.h"
 #include "compose/varying_passthrough.h"
 #include "glsl/scan.h"
+#include "glsl/shader_size.h"
 
 namespace plugc {
 namespace {
@@ -21,14 +22,35 @@ Storage varying_storage(ShaderStage stage) {
   return stage == ShaderStage::vertex ? Storage::out : Storage::in;
 }
 
-void report_problems(const CodeUnit& unit, Diagnostics& diagnostics) {
+void report_problem(const CodeUnit& unit, const OutlineProblem& problem, Diagnostics& diagnostics) {
+  std::vector<RelatedPlace> related;
+  if (!problem.cause_message.empty())
+    related.push_back({unit.span(problem.cause.begin, problem.cause.end), problem.cause_message});
+  diagnostics.report(DiagnosticId::shader_syntax, unit.span(problem.begin, problem.end), problem.message, std::move(related));
+}
+
+/// Of what can never be valid the first is said, as others may only be due to it.
+void take_problems(const CodeUnit& unit, EffectCode& code, Diagnostics& diagnostics) {
   if (unit.tokens.too_many) {
-    diagnostics.report(DiagnosticId::shader_limit, unit.span(0, 1),
-                       fmt::format("this part has more than {} tokens; it is left out", kMaxShaderTokens));
+    code.broken = true;
+    return diagnostics.report(
+        DiagnosticId::shader_limit, unit.span(0, 1),
+        fmt::format("this part has more than {} tokens, which is more than plugc takes", kMaxShaderTokens));
   }
+  if (const auto problem = find_size_problem(unit.text.text(), unit.tokens)) {
+    code.broken = true;
+    return diagnostics.report(DiagnosticId::shader_limit, unit.span(problem->begin, problem->end), problem->message);
+  }
+  bool broken = false;
   for (const OutlineProblem& problem : unit.outline.problems) {
-    diagnostics.report(DiagnosticId::shader_syntax, unit.span(problem.begin, problem.end), problem.message);
+    const bool fatal = problem.kind == ProblemKind::fatal;
+    if (problem.kind == ProblemKind::doubtful)
+      code.doubts.push_back({unit.span(problem.begin, problem.end), problem.message});
+    else if (!fatal || !broken)
+      report_problem(unit, problem, diagnostics);
+    broken = broken || fatal;
   }
+  code.broken = code.broken || broken;
 }
 
 constexpr std::string_view kGeometryQuestion = "HAS_GEOMETRY_SHADER";
@@ -143,7 +165,7 @@ EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics)
          {std::pair(part.in_vertex, ShaderStage::vertex), std::pair(part.in_fragment, ShaderStage::fragment),
           std::pair(part.in_geometry, ShaderStage::geometry)}) {
       if (!unit) continue;
-      report_problems(*unit, diagnostics);
+      take_problems(*unit, code, diagnostics);
       code.has_problems = code.has_problems || !unit->outline.problems.empty() || unit->tokens.too_many;
       if (source.stage != PartStage::light) check_passthrough_markers(*unit, stage, diagnostics);
       too_large = too_large || unit->tokens.too_many;

@@ -51,6 +51,12 @@ const FunctionOutline* find_main(const CodeUnit& unit);
 std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderStage stage, Target target = Target::glsl330,
                                                bool behind_geometry = false);
 
+/// What is not understood of an author's code.
+struct CodeDoubt {
+  Span span;
+  std::string message;
+};
+
 /// An effect's or ComposedShader's parts. A LIGHT part has two forms, one for each stage that may light.
 struct EffectCode {
   struct Part {
@@ -69,12 +75,14 @@ struct EffectCode {
   bool has_problems = false;              ///< Some part cannot be taken apart, which has been reported at its place.
   bool moves_vertices = false;            ///< Some part does, in a plug of the vertex stage.
   bool has_geometry_main = false;         ///< Some GEOMETRY part has a `main`.
+  bool broken = false;                    ///< Some part can never be valid, and that is reported.
+  std::vector<CodeDoubt> doubts;          ///< To be reported as `shader_syntax` where a compiler refuses the code.
 
   bool fills(std::string_view plug) const;        ///< Some part defines PLUG_plug.
   bool uses(std::string_view castle_name) const;  ///< Some part names it.
 };
 
-/// Outlines the parts of an effect. What cannot be taken apart is reported at the author's place and left out.
+/// Outlines the parts of an effect. What can never be valid is reported at the author's place.
 EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics);
 
 }  // namespace plugc

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "compose/castle_names.h"
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
@@ -13,10 +15,19 @@
 
 namespace plugc {
 
-void Composition::mark_faulty(const PlacedUnit& unit) {
+void Composition::note_need(const PlacedUnit& unit, std::size_t provider, NeedKind kind, std::string_view name) {
   const Owner& owner = owners[unit.owner];
+  const Owner& other = owners[provider];
+  const bool is_other = owner.index != other.index || owner.kind != other.kind;
+  if (owner.kind != OwnerKind::effect || other.kind == OwnerKind::renderer || !is_other) return;
+  result.needs.insert({owner.index, other.index, other.kind == OwnerKind::shader, kind, std::string(name)});
+}
+
+void Composition::mark_faulty(const Owner& owner) {
   if (owner.kind == OwnerKind::shader) result.faulty_shader = true;
-  if (owner.kind == OwnerKind::effect && !is_faulty(unit)) result.faulty_effects.push_back(owner.index);
+  if (owner.kind != OwnerKind::effect) return;
+  auto& faulty = result.faulty_effects;
+  if (std::find(faulty.begin(), faulty.end(), owner.index) == faulty.end()) faulty.push_back(owner.index);
 }
 
 bool Composition::is_faulty(const PlacedUnit& unit) const {
@@ -75,11 +86,29 @@ Span name_span(const CodeUnit& code, std::string_view name, std::uint32_t begin)
   return code.span(begin, begin + static_cast<std::uint32_t>(name.size()));
 }
 
-ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target target, Diagnostics& diagnostics) {
-  ComposedProgram program;
-  Composition composition(recipe, input, target, diagnostics, program);
-  place_units(composition);
-  if (!place_geometry_stage(composition)) return program;
+namespace {
+
+/// Code that can never be valid, which has been said of its text.
+bool mark_broken(Composition& c) {
+  bool any = false;
+  for (const Owner& owner : c.owners) {
+    if (owner.kind == OwnerKind::renderer) continue;
+    const bool of_shader = owner.kind == OwnerKind::shader;
+    const auto index = static_cast<std::size_t>(owner.index);
+    if (!(of_shader ? c.input.shaders : c.input.effects)[index].broken) continue;
+    any = true;
+    c.mark_faulty(owner);
+    const SceneEffect& author = c.author(owner);
+    of_shader ? c.diagnostics.report(DiagnosticId::shader_replaced, author.span,
+                                     fmt::format("`{}` is not valid; the base shader is used instead", author.label))
+              : c.diagnostics.report(DiagnosticId::effect_left_out, author.span,
+                                     fmt::format("effect `{}` is left out: the program is not valid with it", author.label));
+  }
+  return any;
+}
+
+void compose_stages(Composition& composition) {
+  if (!place_geometry_stage(composition)) return;
   // from here the list of units is complete, and its order is the order of calls
   resolve_plugs(composition);
   // from here every plug function has its calls and its name
@@ -91,7 +120,31 @@ ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target 
   // from here what an owner only declares has its definition's name, and uniforms know their fields
   for (const ShaderStage stage : {ShaderStage::vertex, ShaderStage::geometry, ShaderStage::fragment}) {
     if (stage == ShaderStage::geometry && !composition.has_geometry) continue;
-    program.stages.push_back({stage, stage_text(composition, stage)});
+    composition.result.stages.push_back({stage, stage_text(composition, stage)});
+  }
+}
+
+/// Who needs the broken code. What else this finds wrong may be due to that code, and is left to the next composition.
+std::set<EffectNeed> needs_beside_broken(const Recipe& recipe, const ComposeInput& input, Target target,
+                                         const Diagnostics& diagnostics) {
+  ComposedProgram program;
+  Diagnostics unheard(diagnostics.sources());
+  Composition composition(recipe, input, target, unheard, program);
+  place_units(composition);
+  compose_stages(composition);
+  return std::move(program.needs);
+}
+
+}  // namespace
+
+ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target target, Diagnostics& diagnostics) {
+  ComposedProgram program;
+  Composition composition(recipe, input, target, diagnostics, program);
+  place_units(composition);
+  if (mark_broken(composition)) {
+    program.needs = needs_beside_broken(recipe, input, target, diagnostics);
+  } else {
+    compose_stages(composition);
   }
   return program;
 }

@@ -2,6 +2,7 @@
 // Recipe in, program text out: the pieces of code that a recipe asks for are placed, plugs are resolved into calls, and
 // all is joined into one text a stage whose every byte leads back to its author.
 
+#include <compare>
 #include <set>
 #include <span>
 #include <string>
@@ -42,6 +43,18 @@ struct SwitchUniform {
   int index = -1;  ///< Into Scene::effects, or the number of a light of the recipe.
 };
 
+/// What an effect takes from another author of its shape. Without a function or varying its code is not valid; without a plug
+/// its function is not called. Either way it has to go where its provider goes.
+enum class NeedKind : std::uint8_t { function, varying, geometry_shader, plug };
+struct EffectNeed {
+  int effect = -1;         ///< Into Scene::effects.
+  int provider = -1;       ///< Into Scene::effects, or Scene::shaders when `of_shader`.
+  bool of_shader = false;  ///< A ComposedShader provides it.
+  NeedKind kind = NeedKind::function;
+  std::string name;  ///< Of the function, varying or plug.
+  auto operator<=>(const EffectNeed&) const = default;
+};
+
 struct ComposedStage {
   ShaderStage stage = ShaderStage::vertex;
   MappedText text;
@@ -55,8 +68,9 @@ struct ComposedProgram {
   std::vector<std::string> plugs_filled;  ///< Plugs that effects filled, sorted.
   std::vector<std::string> plugs_empty;   ///< The other plugs that the program offers, sorted.
   bool moves_vertices = false;            ///< Some effect moves vertices, so that the mesh's bounds say nothing.
-  std::vector<int> faulty_effects;        ///< Effects that cannot stay in (reported); compose again without them.
-  bool faulty_shader = false;             ///< The ComposedShader cannot be used (reported).
+  std::set<EffectNeed> needs;
+  std::vector<int> faulty_effects;  ///< Effects that cannot stay in (reported); compose again without them.
+  bool faulty_shader = false;       ///< The ComposedShader cannot be used (reported).
 };
 
 /// Composes for one target. Mistakes of the authors are reported; the same mistake is said once (see Diagnostics). A program

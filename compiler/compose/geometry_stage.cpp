@@ -92,7 +92,7 @@ bool GeometryPlacer::check_primitive(const PlacedUnit& unit, const InputLayout& 
   const std::string_view drawn = drawn_as(c_.recipe.primitive);
   const Span span = unit.code->span(layout.range.begin, layout.range.end);
   if (layout.primitive == drawn) {
-    c_.geometry = {input_size(drawn), fmt::format("layout({}) in;\n", drawn), span};
+    c_.geometry = {input_size(drawn), fmt::format("layout({}) in;\n", drawn), span, unit.owner};
     return true;
   }
   const std::string_view why = layout.primitive.ends_with("adjacency") ? " (plugc draws nothing with adjacency)" : "";

@@ -92,6 +92,7 @@ struct GeometryStage {
   int input_size = 3;  ///< Vertices of an input primitive.
   std::string layout;  ///< `layout(triangles) in;` and a line end.
   Span layout_span;
+  std::size_t owner = 0;  ///< Whose the `main` is.
 };
 
 struct Composition {
@@ -129,13 +130,20 @@ struct Composition {
   std::string_view name_of(std::size_t owner, std::string_view name) const;
   /// The GLSL type of a castle_ name here: of a texture, its own sampler.
   std::string_view type_of(const CastleName& name) const;
+  /// Notes that the unit's effect takes something from another author.
+  void note_need(const PlacedUnit& unit, std::size_t provider, NeedKind kind, std::string_view name);
   /// Leaves the unit's effect (or the ComposedShader) out of the program.
-  void mark_faulty(const PlacedUnit& unit);
+  void mark_faulty(const PlacedUnit& unit) { mark_faulty(owners[unit.owner]); }
+  void mark_faulty(const Owner& owner);
   bool is_faulty(const PlacedUnit& unit) const;
 };
 
 /// The place of a name that stands at `begin` in the unit's text.
 Span name_span(const CodeUnit& code, std::string_view name, std::uint32_t begin);
+
+/// Where a name stands that seems to be missing: in an author's code of the stage that is broken or not wholly understood. The
+/// first such place, else the first such code, or none.
+std::vector<RelatedPlace> doubtful_places(const ComposeInput& input, ShaderStage stage, std::string_view name);
 
 /// The pieces of code that the recipe asks for.
 void place_units(Composition& composition);

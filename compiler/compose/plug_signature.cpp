@@ -83,18 +83,23 @@ bool moves_vertices(const FunctionOutline& function) {
 }
 
 PlugFit fit_plug(const FunctionOutline& function, const PlugInfo& plug) {
+  if (find_misfit(function, plug)) return PlugFit::no;
+  return strengthened_parameter(function, plug) == nullptr ? PlugFit::yes : PlugFit::strengthened;
+}
+
+std::optional<TextRange> find_misfit(const FunctionOutline& function, const PlugInfo& plug) {
   std::vector<PlugParameter> wanted = plug.parameters;
-  const bool sampler_left_out = plug.name == "texture_color" && function.parameters.size() + 1 == wanted.size();
+  const std::vector<Parameter>& given = function.parameters;
+  const bool sampler_left_out = plug.name == "texture_color" && given.size() + 1 == wanted.size();
   if (sampler_left_out) std::erase_if(wanted, [](const PlugParameter& parameter) { return parameter.type == "samplerT"; });
-  const auto& given = function.parameters;
   const bool view_added = plug.name == "add_light" && given.size() == wanted.size() + 1 && given.back().type == "vec3";
   if (view_added) wanted.push_back({true, "in", "vec3", "view"});  // as physical materials pass it
-  const bool fits = std::equal(function.parameters.begin(), function.parameters.end(), wanted.begin(), wanted.end(),
-                               [&](const Parameter& each, const PlugParameter& want) {
-                                 return parameter_fits(each, want, is_per_light_color(plug.name));
-                               });
-  if (!fits) return PlugFit::no;
-  return strengthened_parameter(function, plug) == nullptr ? PlugFit::yes : PlugFit::strengthened;
+  for (std::size_t i = 0; i < std::min(given.size(), wanted.size()); ++i) {
+    if (!parameter_fits(given[i], wanted[i], is_per_light_color(plug.name))) return TextRange{given[i].begin, given[i].end};
+  }
+  if (given.size() > wanted.size()) return TextRange{given[wanted.size()].begin, given[wanted.size()].end};
+  if (given.size() < wanted.size()) return TextRange{function.parameters_end, function.parameters_end + 1};
+  return std::nullopt;
 }
 
 bool takes_texture(const FunctionOutline& function, std::string_view sampler) {

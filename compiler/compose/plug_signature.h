@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <optional>
+
 #include "compose/code_unit.h"
 #include "compose/plug_table.h"
 
@@ -14,6 +16,8 @@ namespace plugc {
 /// reads the variable afterwards an `inout` in place of a `const in` has a meaning too.
 enum class PlugFit : unsigned char { no, strengthened, yes };
 PlugFit fit_plug(const FunctionOutline& function, const PlugInfo& plug);
+/// The first parameter that does not suit, or the `)` where one is missing.
+std::optional<TextRange> find_misfit(const FunctionOutline& function, const PlugInfo& plug);
 
 /// The first parameter that is changed though the plug passes it as const.
 const Parameter* strengthened_parameter(const FunctionOutline& function, const PlugInfo& plug);

@@ -39,6 +39,7 @@ class PlugResolver {
   std::vector<MarkerPlace> find_markers(std::size_t unit, std::size_t function, bool own_scope) const;
   CallResult call_at(std::size_t unit, std::size_t function, const MarkerPlace& place);
   CallResult add_call(std::size_t unit, std::size_t function, const MarkerPlace& place);
+  void note_only_provider(const PlacedUnit& unit, const std::vector<MarkerPlace>& markers);
   void report_unreached(std::size_t unit, std::size_t function);
   bool report_sampler_kind(const PlacedUnit& unit, const FunctionOutline& function);
   void report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
@@ -193,7 +194,8 @@ void PlugResolver::report_unknown(const PlacedUnit& unit, const FunctionOutline&
   std::vector<std::string_view> known(plug_names().begin(), plug_names().end());
   for (const auto& [key, places] : markers_) known.push_back(key.second);
   report(DiagnosticId::effect_unknown_plug, unit, function,
-         fmt::format("no plug `{}` in a {} stage{}", name, to_text(unit.stage), did_you_mean(name, known)));
+         fmt::format("no plug `{}` in a {} stage{}", name, to_text(unit.stage), did_you_mean(name, known)),
+         doubtful_places(c_.input, unit.stage, name));
 }
 
 void PlugResolver::report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug) {
@@ -270,8 +272,10 @@ bool PlugResolver::is_sound(const PlacedUnit& unit, const FunctionOutline& funct
   const PlugFit fit = fit_plug(function, *plug);
   if (by_table && fit == PlugFit::strengthened) report_strengthened(unit, function, *plug);
   if (!by_table || fit != PlugFit::no) return true;
-  report(DiagnosticId::effect_wrong_signature, unit, function,
-         fmt::format("`{}` does not fit its plug; declare `void PLUG_{}({})`", function.name, plug->name, plug->signature));
+  const TextRange misfit = *find_misfit(function, *plug);
+  c_.diagnostics.report(
+      DiagnosticId::effect_wrong_signature, unit.code->span(misfit.begin, misfit.end),
+      fmt::format("`{}` does not fit its plug; declare `void PLUG_{}({})`", function.name, plug->name, plug->signature));
   return false;
 }
 
@@ -302,11 +306,24 @@ void PlugResolver::resolve_function(std::size_t index, std::size_t f) {
   for (std::size_t m = 0; m < markers.size() && !results.contains(CallResult::misfit); ++m)
     results.insert(call_at(index, f, markers[m]));
   if (!by_author || results.contains(CallResult::misfit)) return;
-  if (results.contains(CallResult::called)) filled_.emplace(name);
-  if (results.contains(CallResult::called) && moves_vertices(function)) c_.result.moves_vertices = true;
+  if (results.contains(CallResult::called)) {
+    filled_.emplace(name);
+    note_only_provider(unit, markers);
+    c_.result.moves_vertices = c_.result.moves_vertices || moves_vertices(function);
+  }
   for (std::size_t m = 0; m < markers.size(); ++m) c_.result.calls.push_back(fmt::format("{} {}", name, to_text(unit.stage)));
   const bool of_use = results.contains(CallResult::called) || results.contains(CallResult::for_overload);
   if (!of_use && !c_.recipe.depth_only) report_unreached(index, f);
+}
+
+/// Where all markers that a function reaches are one author's, the effect needs that author.
+void PlugResolver::note_only_provider(const PlacedUnit& unit, const std::vector<MarkerPlace>& markers) {
+  const std::size_t provider = c_.units[markers.front().unit].owner;
+  const bool only = std::all_of(markers.begin(), markers.end(), [&](const MarkerPlace& place) {
+    const Owner& owner = c_.owners[c_.units[place.unit].owner];
+    return owner.kind == c_.owners[provider].kind && owner.index == c_.owners[provider].index;
+  });
+  if (only) c_.note_need(unit, provider, NeedKind::plug, marker_at(markers.front()).name);
 }
 
 /// A light or texture whose own code found no place in the base shader takes its effects and its shadow with it.

@@ -99,12 +99,14 @@ bool UnitWriter::is_removed(std::uint32_t offset) const {
   return behind != removed_.begin() && offset < std::prev(behind)->second;
 }
 
-/// `#version`, `#extension`, precision statements and a geometry shader's input: the head of the stage has them.
+/// `#version`, `#extension`, precision statements, a `;` that ends nothing, and a geometry shader's input: the head of the
+/// stage has them.
 void UnitWriter::remove_hoisted() {
   const Outline& outline = code_.outline;
   if (outline.version.end > outline.version.begin) remove_lines(outline.version.begin, outline.version.end);
   for (const TextRange& extension : outline.extensions) remove_lines(extension.begin, extension.end);
   for (const TextRange& precision : outline.precisions) remove_lines(precision.begin, precision.end);
+  for (const TextRange& empty : outline.empties) remove_lines(empty.begin, empty.end);
   if (unit_.stage != ShaderStage::geometry) return;
   const auto input = find_input_layout(code_);
   if (input && input->alone) remove_lines(input->range.begin, input->range.end);

@@ -16,7 +16,8 @@ struct BracketedCode {
   std::vector<std::uint32_t> closing;
 };
 
-/// Reports brackets without a partner, and nesting beyond kMaxExpressionNesting: the code is cut there.
-BracketedCode match_brackets(std::string_view text, const std::vector<Token>& tokens, std::vector<OutlineProblem>& problems);
+/// Reports brackets without a partner, and nesting beyond kMaxExpressionNesting: the code is cut there. `outline` has its
+/// macros by now.
+BracketedCode match_brackets(std::string_view text, const std::vector<Token>& tokens, Outline& outline);
 
 }  // namespace plugc

@@ -111,6 +111,7 @@ bool DeclarationReader::take_semicolon() {
 
 void DeclarationReader::read_statement() {
   if (is(at_, ';')) {
+    outline_.empties.push_back(range_of(at_, at_));
     ++at_;
   } else if (word(at_) == "precision") {
     const std::size_t first = at_;
@@ -147,7 +148,8 @@ void DeclarationReader::read_declaration() {
     read_block(start);
     return;
   }
-  const bool redeclares = start.storage == Storage::none && (is(at_ + 1, ';') || is(at_ + 1, ','));
+  const bool listed = at_ > start.first && is(at_ + 1, ',');
+  const bool redeclares = start.storage == Storage::none && (is(at_ + 1, ';') || listed);
   if (redeclares) {  // `invariant gl_Position;`
     skip_statement();
     return;
@@ -155,6 +157,8 @@ void DeclarationReader::read_declaration() {
   start.type = range_of(at_, at_);
   ++at_;
   start.array = read_array();
+  if (is_identifier(at_) && is_basic_type(word(at_)))
+    report(at_, fmt::format("`{}` is a type, where a name was expected", word(at_)));
   if (is_identifier(at_) && is(at_ + 1, '(')) {
     read_function(start);
   } else {
@@ -361,12 +365,13 @@ void order_problems(std::vector<OutlineProblem>& problems) {
 Outline outline(std::string_view text, const TokenList& tokens, Storage varying_storage) {
   Outline result;
   outline_directives(text, tokens.tokens, result);
-  const BracketedCode code = match_brackets(text, tokens.tokens, result.problems);
+  const BracketedCode code = match_brackets(text, tokens.tokens, result);
   DeclarationReader(text, code, varying_storage, result).run();
   place_markers(result);
   if (tokens.too_many) {  // what else is found is only due to the cut
     const Token& last = tokens.tokens.back();
-    result.problems = {{last.begin, last.end, fmt::format("the text has more than {} tokens", kMaxShaderTokens)}};
+    result.problems = {
+        {last.begin, last.end, fmt::format("the text has more than {} tokens", kMaxShaderTokens), ProblemKind::fatal}};
   }
   order_problems(result.problems);
   return result;

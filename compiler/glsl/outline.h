@@ -91,15 +91,25 @@ struct TextRange {
   std::uint32_t begin = 0, end = 0;
 };
 
+enum class ProblemKind : std::uint8_t {
+  fatal,     ///< No compiler takes the text, and what stands behind it may be read as a piece of it.
+  doubtful,  ///< Not understood here; a macro may make it right, so the compiler has to judge it.
+  harmless   ///< No mistake in the eyes of a compiler.
+};
+
 struct OutlineProblem {
-  std::uint32_t begin = 0, end = 0;
-  std::string message;  ///< "`{` is never closed"
+  std::uint32_t begin = 0, end = 0;  ///< Where the text stops being legal.
+  std::string message;               ///< "`}` is missing in front of `void`"
+  ProblemKind kind = ProblemKind::doubtful;
+  TextRange cause = {};  ///< An earlier place that it is about, or empty.
+  std::string cause_message = {};
 };
 
 struct Outline {
   VersionDirective version;
   std::vector<TextRange> extensions;  ///< `#extension` lines.
   std::vector<TextRange> precisions;  ///< `precision mediump float;`
+  std::vector<TextRange> empties;     ///< A `;` that ends nothing, which GLSL 3.30 does not know and everybody writes.
   std::vector<FunctionOutline> functions;
   std::vector<GlobalOutline> globals;
   std::vector<StructOutline> structs;

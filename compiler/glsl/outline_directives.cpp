@@ -24,14 +24,20 @@ class DirectiveReader {
       if (token.kind == TokenKind::marker) read_marker_token(token);
       if (token.kind == TokenKind::invalid) read_invalid(token);
     }
-    for (const Token& condition : conditions_) report(condition, fmt::format("`{}` is never closed", first_line(condition)));
+    for (const Token& condition : conditions_) report_open(condition);
   }
 
  private:
   using Words = std::vector<Token>;
 
-  void report(const Token& token, std::string message) {
-    outline_.problems.push_back({token.begin, token.end, std::move(message)});
+  void report(const Token& token, std::string message, ProblemKind kind = ProblemKind::doubtful) {
+    outline_.problems.push_back({token.begin, token.end, std::move(message), kind});
+  }
+  void report_open(const Token& condition) {
+    const auto end = static_cast<std::uint32_t>(text_.size());
+    report({TokenKind::invalid, end, end}, "`#endif` is missing at the end of the text", ProblemKind::fatal);
+    outline_.problems.back().cause = {condition.begin, condition.end};
+    outline_.problems.back().cause_message = fmt::format("this `{}` is never closed", first_line(condition));
   }
   std::string_view word(const Words& words, std::size_t i) const {
     return i < words.size() ? token_text(text_, words[i]) : std::string_view{};
@@ -57,7 +63,7 @@ class DirectiveReader {
     VersionDirective version;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), version.number);
     if (error != std::errc() || end != number.data() + number.size()) {
-      report(directive, "`#version` has no number that can be read");
+      report(directive, "`#version` has no number that can be read", ProblemKind::fatal);
       version.number = 0;
     }
     version.profile = word(words, 3);
@@ -68,7 +74,7 @@ class DirectiveReader {
 
   void read_define(const Token& directive, const Words& words) {
     if (words.size() < 3 || words[2].kind != TokenKind::identifier) {
-      return report(directive, "`#define` names no macro");
+      return report(directive, "`#define` names no macro", ProblemKind::fatal);
     }
     MacroOutline macro;
     macro.name = word(words, 2);
@@ -86,13 +92,14 @@ class DirectiveReader {
   }
 
   void read_branch(const Token& directive, std::string_view name) {
-    if (conditions_.empty()) return report(directive, fmt::format("`#{}` has no `#if`", name));
+    if (conditions_.empty()) return report(directive, fmt::format("`#{}` has no `#if`", name), ProblemKind::fatal);
     if (name == "endif") conditions_.pop_back();
   }
 
   void read_marker_token(const Token& token) {
     const MarkerWords words = read_marker(text_, token);
-    if (!words.well_formed) return report(token, "a plug marker is written `/* PLUG: name (arguments) */`");
+    if (!words.well_formed)
+      return report(token, "a plug marker is written `/* PLUG: name (arguments) */`", ProblemKind::harmless);
     MarkerOutline marker;
     marker.kind = words.kind;
     marker.name = text_.substr(words.name_begin, words.name_end - words.name_begin);
@@ -104,7 +111,7 @@ class DirectiveReader {
   }
 
   void read_invalid(const Token& token) {
-    if (comment_at(text_, token.begin) == CommentKind::block) return report(token, "`/*` is never closed");
+    if (comment_at(text_, token.begin) == CommentKind::block) return report(token, "`/*` is never closed", ProblemKind::fatal);
     const auto first = static_cast<unsigned char>(text_[token.begin]);
     if (first == '"') return report(token, "GLSL has no strings");
     const bool printable = first > ' ' && first != 0x7F;

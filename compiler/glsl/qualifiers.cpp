@@ -50,4 +50,15 @@ QualifierKind qualifier_kind(std::string_view word) {
   return found != kQualifiers.end() && found->word == word ? found->kind : none;
 }
 
+bool is_basic_type(std::string_view word) {
+  constexpr std::string_view kStems[] = {"float", "int",  "uint", "bool", "void", "vec",
+                                         "ivec",  "uvec", "bvec", "mat",  "dvec", "dmat"};
+  if (word.starts_with("sampler") || word.starts_with("isampler") || word.starts_with("usampler")) return true;
+  const std::string_view stem = word.substr(0, word.find_first_of("23456789"));
+  const std::string_view size = word.substr(stem.size());
+  const bool plain = stem == "float" || stem == "int" || stem == "uint" || stem == "bool" || stem == "void";
+  const bool sized = size.size() == 1 || (size.size() == 3 && size[1] == 'x');
+  return std::ranges::find(kStems, stem) != std::end(kStems) && (plain ? size.empty() : sized);
+}
+
 }  // namespace plugc

@@ -18,4 +18,7 @@ enum class QualifierKind : std::uint8_t {
 
 QualifierKind qualifier_kind(std::string_view word);
 
+/// `float`, `ivec3`, `mat2x4`, `samplerCube`, ...: a type that the language brings along, whose name nothing else can have.
+bool is_basic_type(std::string_view word);
+
 }  // namespace plugc

@@ -16,6 +16,8 @@ class SourceList {
   SourceList(const SourceSet& sources, std::vector<std::string>& names) : sources_(&sources), names_(&names) {}
   std::vector<PackedLineOrigin> origins(const MappedText& text);
   PackedLineOrigin origin(const Span& span);
+  /// Where columns differ from those of the lines that `origins` names.
+  std::vector<PackedColumnOrigin> columns(const MappedText& text, const std::vector<PackedLineOrigin>& origins);
 
  private:
   std::uint32_t index(SourceId source);

@@ -3,8 +3,10 @@
 // text fits the target at all, and glslang is not to be asked for SPIR-V below 330 (it prints its built-ins by the
 // thousand lines).
 // What glslang does not check and drivers do: a fragment input that no earlier stage declares (GLSL 3.30, 4.3.4).
-// A `#line` directive shifts the lines of messages. A failing text that has one is parsed again with its directives made
-// blank, for the places only.
+// Of a syntax error glslang tells the line only. Its token is found by parsing the text cut off behind one token of that line
+// or another: as long as the one at fault is cut off too, glslang misses the end of the text instead. A `#line` directive
+// shifts the lines of messages. A failing text that has one is parsed again with its directives made blank, for the places
+// only.
 
 #include "validate/judge.h"
 
@@ -18,6 +20,7 @@
 #include <deque>
 #include <memory>
 
+#include "glsl/scan.h"
 #include "validate/expression_depth.h"
 #include "validate/glslang_log.h"
 #include "validate/optimize.h"
@@ -73,14 +76,48 @@ std::vector<VerdictMessage> errors_of(const char* log, ShaderStage stage) {
   return messages;
 }
 
+bool fails_with(Target target, ShaderStage stage, std::string_view text, const VerdictMessage& message) {
+  ParsedStage cut(target, stage, text);
+  const std::vector<VerdictMessage> errors = read_glslang_log(cut.shader.getInfoLog(), stage);
+  return std::ranges::any_of(
+      errors, [&](const VerdictMessage& error) { return error.line == message.line && error.text == message.text; });
+}
+
+/// Gives a syntax error its token and column.
+void find_token(Target target, ShaderStage stage, std::string_view text, VerdictMessage& message) {
+  std::uint32_t begin = 0;
+  for (std::uint32_t line = 1; line < message.line; ++line)
+    begin = static_cast<std::uint32_t>(std::min(text.find('\n', begin), text.size() - 1) + 1);
+  const auto end = static_cast<std::uint32_t>(std::min(text.find('\n', begin), text.size()));
+  const std::vector<Token> tokens = scan_range(text, begin, end);
+  if (tokens.empty() || !fails_with(target, stage, text.substr(0, tokens.back().end), message)) return;
+  std::size_t passes = 0, fails = tokens.size();  // with so many of the line's tokens
+  while (fails - passes > 1) {
+    const std::size_t middle = passes + (fails - passes) / 2;
+    (fails_with(target, stage, text.substr(0, tokens[middle - 1].end), message) ? fails : passes) = middle;
+  }
+  const Token& found = tokens[fails - 1];
+  message.token = token_text(text, found);
+  message.column = found.begin - begin + 1;
+}
+
+std::vector<VerdictMessage> placed_errors(Target target, ParsedStage& stage) {
+  std::vector<VerdictMessage> errors = errors_of(stage.shader.getInfoLog(), stage.stage);
+  for (VerdictMessage& error : errors) {
+    const bool is_syntax_error = error.text.starts_with("syntax error, unexpected ");
+    if (is_syntax_error && error.line != 0 && error.token.empty()) find_token(target, stage.stage, stage.text, error);
+  }
+  return errors;
+}
+
 std::vector<VerdictMessage> parse_errors(Target target, ParsedStage& stage) {
   if (stage.parsed) return {};
   if (std::optional<std::string> blanked = without_line_directives(stage.text)) {
     ParsedStage again(target, stage.stage, *blanked);
     // When it passes now, a directive itself was the mistake.
-    if (!again.parsed) return errors_of(again.shader.getInfoLog(), stage.stage);
+    if (!again.parsed) return placed_errors(target, again);
   }
-  return errors_of(stage.shader.getInfoLog(), stage.stage);
+  return placed_errors(target, stage);
 }
 
 /// What can be said without glslang.

@@ -1,13 +1,18 @@
 // Each program is encoded, which makes equal programs equal strings; each different string is judged once: by the cache, or
 // else by the worker, whose valid verdicts go to the cache. Then every program gets its result: its own texts with the
 // verdict's facts, or the verdict's messages placed in its own texts, as equal texts may come from different authors.
-// The worker starts early where the cache is empty, as it will be asked for certain; else at the first miss.
+// The workers start early where the cache is empty, as they will be asked for certain; else at the first miss. Of several
+// workers each is asked by a thread of its own, which takes the next string that nobody has taken.
 
 #include "validate/validate.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
+#include <functional>
 #include <map>
+#include <thread>
 
 #include "base/check.h"
 #include "base/limits.h"
@@ -52,23 +57,33 @@ Judgement death(const ProgramText& program, std::string text) {
 
 }  // namespace
 
+/// A program that is judged, and its encoded texts.
+struct Question {
+  const ProgramText* program = nullptr;
+  const std::string* candidate = nullptr;
+  Judgement judgement;
+};
+
 struct Validator::State {
-  explicit State(ValidatorOptions given)
-      : options(std::move(given)), cache(options.cache_folder), worker(options.warm_targets) {
-    if (cache.empty()) worker.start();
+  explicit State(ValidatorOptions given) : options(std::move(given)), cache(options.cache_folder) {
+    for (std::size_t i = 0; i < std::max<std::size_t>(options.workers, 1); ++i)
+      workers.push_back(std::make_unique<Worker>(options.warm_targets));
+    if (!cache.empty()) return;
+    for (const auto& worker : workers) worker->start();
   }
 
-  Judgement ask_worker(const ProgramText& program, const std::string& candidate);
-  Judgement judge(const ProgramText& program, const std::string& candidate);
-  Judgement judge_unoptimized(ProgramText program, const std::string& reason);
+  Judgement ask(Worker& worker, const ProgramText& program, const std::string& candidate) const;
+  Judgement judge(Worker& worker, const ProgramText& program, const std::string& candidate) const;
+  Judgement judge_unoptimized(Worker& worker, ProgramText program, const std::string& reason) const;
+  void judge_all(std::vector<Question>& questions);
   static ValidationResult result(ProgramText program, const Judgement& judgement);
 
   ValidatorOptions options;
   VerdictCache cache;
-  Worker worker;
+  std::vector<std::unique_ptr<Worker>> workers;
 };
 
-Judgement Validator::State::ask_worker(const ProgramText& program, const std::string& candidate) {
+Judgement Validator::State::ask(Worker& worker, const ProgramText& program, const std::string& candidate) const {
   const Worker::Reply reply = worker.ask(candidate, options.timeout);
   switch (reply.outcome) {
     case Worker::Outcome::answered:
@@ -83,20 +98,33 @@ Judgement Validator::State::ask_worker(const ProgramText& program, const std::st
 }
 
 /// Whatever took the worker down may be at home in the optimiser: no author is to blame for that.
-Judgement Validator::State::judge_unoptimized(ProgramText program, const std::string& reason) {
+Judgement Validator::State::judge_unoptimized(Worker& worker, ProgramText program, const std::string& reason) const {
   program.optimize = false;
-  Judgement judgement = judge(program, encode(program));
+  Judgement judgement = judge(worker, program, encode(program));
   if (judgement.verdict.valid()) judgement.verdict.not_optimized = reason;
   return judgement;
 }
 
-Judgement Validator::State::judge(const ProgramText& program, const std::string& candidate) {
+Judgement Validator::State::judge(Worker& worker, const ProgramText& program, const std::string& candidate) const {
   if (std::optional<Judgement> judgement = too_large(program)) return *judgement;
   if (std::optional<Verdict> verdict = cache.find(candidate)) return {std::move(*verdict), false};
-  Judgement judgement = ask_worker(program, candidate);
-  if (judgement.died && program.optimize) judgement = judge_unoptimized(program, judgement.verdict.messages.front().text);
+  Judgement judgement = ask(worker, program, candidate);
+  if (judgement.died && program.optimize)
+    judgement = judge_unoptimized(worker, program, judgement.verdict.messages.front().text);
   cache.store(candidate, judgement.verdict);
   return judgement;
+}
+
+void Validator::State::judge_all(std::vector<Question>& questions) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&](Worker& worker) {
+    for (std::size_t i = next++; i < questions.size(); i = next++)
+      questions[i].judgement = judge(worker, *questions[i].program, *questions[i].candidate);
+  };
+  std::vector<std::jthread> threads;
+  const std::size_t busy = std::min(workers.size(), questions.size());
+  for (std::size_t i = 1; i < busy; ++i) threads.emplace_back(work, std::ref(*workers[i]));
+  work(*workers.front());
 }
 
 ValidationResult Validator::State::result(ProgramText program, const Judgement& judgement) {
@@ -127,14 +155,19 @@ Validator::Validator(Validator&&) noexcept = default;
 Validator& Validator::operator=(Validator&&) noexcept = default;
 
 std::vector<ValidationResult> Validator::validate(std::vector<ProgramText> programs) {
-  std::map<std::string, Judgement> judged;
-  std::vector<ValidationResult> results;
-  for (ProgramText& program : programs) {
+  std::map<std::string, std::size_t> known;  // which question it is
+  std::vector<Question> questions;
+  std::vector<std::size_t> question_of;
+  for (const ProgramText& program : programs) {
     check_stages(program);
-    const auto [entry, is_new] = judged.try_emplace(encode(program));
-    if (is_new) entry->second = state_->judge(program, entry->first);
-    results.push_back(State::result(std::move(program), entry->second));
+    const auto [entry, is_new] = known.try_emplace(encode(program), questions.size());
+    if (is_new) questions.push_back({&program, &entry->first, {}});
+    question_of.push_back(entry->second);
   }
+  state_->judge_all(questions);
+  std::vector<ValidationResult> results;
+  for (std::size_t i = 0; i < programs.size(); ++i)
+    results.push_back(State::result(std::move(programs[i]), questions[question_of[i]].judgement));
   return results;
 }
 

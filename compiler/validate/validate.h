@@ -91,10 +91,11 @@ struct ValidatorOptions {
   std::filesystem::path cache_folder;                 ///< Verdicts by content hash; empty: no cache.
   std::chrono::milliseconds timeout{5000};            ///< For one program.
   std::vector<Target> warm_targets{Target::glsl330};  ///< What the worker prepares for when it starts (25 ms each).
+  std::size_t workers = 1;                            ///< Programs of one call are judged by so many at a time.
 };
 
-/// Owns the worker. Make it before any thread is started: it forks. Threads may start afterwards, even if a worker has to
-/// be replaced then; but only one at a time may call validate().
+/// Owns the workers. Make it before any thread is started: it forks. Threads may start afterwards, even if a worker has to
+/// be replaced then; but only one at a time may call validate(). Results do not depend on the number of workers.
 class Validator {
  public:
   explicit Validator(ValidatorOptions options);

@@ -90,6 +90,7 @@ VerdictMessage read_message(Reader& reader) {
   message.line = reader.number();
   message.token = reader.text();
   message.text = reader.text();
+  message.column = reader.number();
   return message;
 }
 
@@ -149,6 +150,7 @@ std::string encode(const Verdict& verdict) {
     writer.number(message.line);
     writer.text(message.token);
     writer.text(message.text);
+    writer.number(message.column);
   }
   write_variables(writer, verdict.uniforms);
   write_variables(writer, verdict.attributes);

@@ -23,12 +23,14 @@ struct Candidate {
   std::vector<Stage> stages;
 };
 
-/// One error. `token` is what the text is about, as glslang quotes it; line 0: no line.
+/// One error. `token` is what the text is about, as glslang quotes it; line 0: no line. glslang names no columns; where one
+/// has been found it is the token's first byte, from 1.
 struct VerdictMessage {
   ShaderStage stage = ShaderStage::vertex;
   std::uint32_t line = 0;
   std::string token;
   std::string text;
+  std::uint32_t column = 0;
 };
 
 /// Valid exactly when there is no message; the rest is empty otherwise.

@@ -111,10 +111,15 @@ class NameChecker {
     program_.faulty.insert(piece.effect);
   }
 
+  void note_need(const Piece& piece, int provider) {
+    if (provider != piece.effect) program_.needs.push_back({piece.effect, provider});
+  }
+
   void check_prototype(const Piece& piece, const FunctionModel& prototype) {
     const auto found = helper_candidates(program_, piece, prototype.name, prototype.parameters[0].type);
     if (found.size() > 1) complain(piece, prototype.line, "ambiguous-function");
     if (found.empty() && is_called(piece, prototype)) complain(piece, prototype.line, "shader-invalid");
+    if (found.size() == 1 && is_called(piece, prototype)) note_need(piece, program_.pieces[found[0].piece].effect);
   }
 
   bool is_called(const Piece& piece, const FunctionModel& prototype) const {
@@ -130,8 +135,9 @@ class NameChecker {
   void check_varying(const Piece& piece, const StatementModel& statement) {
     const GlobalModel* global = find_global(*piece.part, statement.name);
     if (statement.kind != StatementKind::read || global == nullptr || global->kind != GlobalKind::varying) return;
-    const std::size_t writers = varying_writers(program_, piece, statement.name, global->type).size();
-    if (writers != 1) complain(piece, global->line, "varying-unwritten");
+    const std::vector<int> writers = varying_writers(program_, piece, statement.name, global->type);
+    if (writers.size() != 1) return complain(piece, global->line, "varying-unwritten");
+    note_need(piece, writers.front());
   }
 
   ProgramModel& program_;

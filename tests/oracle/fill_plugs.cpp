@@ -80,9 +80,13 @@ class PlugFiller {
     const auto of_use = std::count_if(reached.begin(), reached.end(), [&](Marker* m) { return has_overload_for(*m); });
     if (row == nullptr && of_use < std::ssize(reached)) return complain("effect-wrong-signature", true);
     if (of_use == 0) complain_of_texture(*reached.front());
+    bool called = false;
     for (Marker* marker : reached) {
-      if (fits_marker(*marker, function)) marker->calls.push_back({piece, &function});
+      if (!fits_marker(*marker, function)) continue;
+      marker->calls.push_back({piece, &function});
+      called = true;
     }
+    if (called) note_need(reached);
   }
 
  private:
@@ -101,6 +105,15 @@ class PlugFiller {
              takes(*other.part, marker);
     });
     if (!other_part) complain("sampler-kind", false);
+  }
+
+  /// Where all markers are one other effect's, the function is nothing without that effect.
+  void note_need(const std::vector<Marker*>& reached) {
+    std::set<int> owners;
+    for (const Marker* marker : reached)
+      owners.insert(marker->piece < 0 ? -1 : program_.pieces[static_cast<std::size_t>(marker->piece)].effect);
+    const int provider = *owners.begin();
+    if (owners.size() == 1 && provider >= 0 && provider != piece().effect) program_.needs.push_back({piece().effect, provider});
   }
 
   bool is_earlier(const Marker& marker) const { return marker.piece < static_cast<int>(piece_); }

@@ -11,6 +11,7 @@
 #include "oracle/program_model.h"
 #include "prepare_scene.h"
 #include "support/compile_text.h"
+#include "validate/candidate.h"
 
 namespace plugc::oracle {
 namespace {
@@ -31,12 +32,13 @@ const std::string& white_png() {
   return bytes;
 }
 
-ComposedProgram compose_without_faulty(Recipe recipe, const ComposeInput& input, Diagnostics& diagnostics) {
-  while (true) {
-    ComposedProgram program = compose(recipe, input, Target::glsl330, diagnostics);
-    if (program.faulty_effects.empty()) return program;
-    for (const int effect : program.faulty_effects) recipe = without_effect(std::move(recipe), effect);
-  }
+ComposedProgram compose_without_faulty(const Recipe& recipe, const ComposeInput& input, Diagnostics& diagnostics) {
+  ValidationStatistics statistics;
+  CandidateChecker checker(input, process_validator(), statistics);
+  ProgramCandidate candidate;
+  candidate.recipe = recipe;
+  checker.compose_candidate(candidate, diagnostics);
+  return std::move(candidate.composed);
 }
 
 std::set<std::string> messages_of(const Diagnostics& diagnostics, SourceId scene) {

@@ -45,12 +45,19 @@ struct Marker {
   std::vector<Call> calls;
 };
 
+/// An effect that calls a function, reads a varying or fills a marker of another one, and of no one else.
+struct Need {
+  int effect = 0;
+  int provider = 0;
+};
+
 struct ProgramModel {
   const EffectSet& set;
   const ShapeModel& shape;
   std::vector<Piece> pieces;    ///< In call order.
   std::vector<Marker> markers;  ///< Of the base shader in the order it reaches them, then those of the pieces.
   std::set<int> faulty;         ///< Effects that cannot stay in.
+  std::vector<Need> needs;      ///< Who cannot stay in without whom.
 };
 
 /// A light of the program by its number: the effects on it.

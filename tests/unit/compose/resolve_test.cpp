@@ -219,15 +219,16 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"float PLUG_fragment_modify(inout vec4 c) { return 1.0; }",
                 "7 effect-plug-not-void: `PLUG_fragment_modify` returns `float`; a plug function returns `void`", true},
         Mistake{"void PLUG_fragment_modify(inout vec3 c) {}",
-                "6 effect-wrong-signature: `PLUG_fragment_modify` does not fit its plug; declare `void "
+                "27 effect-wrong-signature: `PLUG_fragment_modify` does not fit its plug; declare `void "
                 "PLUG_fragment_modify(inout vec4 "
                 "fragment_color)`",
                 true},
-        Mistake{"void PLUG_fragment_end(inout vec4 c) {}",
-                "6 effect-wrong-signature: `PLUG_fragment_end` does not fit its plug; declare `void PLUG_fragment_end(const in "
-                "vec4 "
-                "fragment_color)`",
-                true},
+        Mistake{
+            "void PLUG_fragment_end(inout vec4 c) {}",
+            "24 effect-wrong-signature: `PLUG_fragment_end` does not fit its plug; declare `void PLUG_fragment_end(const in "
+            "vec4 "
+            "fragment_color)`",
+            true},
         Mistake{"void PLUG_fragment_modif(inout vec4 c) {}",
                 "6 effect-unknown-plug: no plug `fragment_modif` in a fragment stage; did you mean `fragment_modify`?", false},
         Mistake{"void PLUG_vertex_eye_space(const in vec4 v, const in vec3 n) {}",

@@ -257,8 +257,8 @@ TEST(Outline, DeadBranchesDeclareNothing) {
 }
 
 TEST(Outline, ReportsBrackets) {
-  EXPECT_THAT(problems("void f() { a(; }\nfloat b;"), ElementsAre("12-13: `(` is never closed"));
-  EXPECT_THAT(problems("void f() { if (a) {\n}"), ElementsAre("9-10: `{` is never closed"));
+  EXPECT_THAT(problems("void f() { a(; }\nfloat b;"), ElementsAre("13-14: `)` is missing in front of `;`"));
+  EXPECT_THAT(problems("void f() { if (a) {\n}"), ElementsAre("21-21: `}` is missing at the end of the text"));
   EXPECT_THAT(problems("void f() { } }"), ElementsAre("13-14: `}` closes nothing"));
   EXPECT_THAT(problems("void f() { a)]; }"), ElementsAre("12-13: `)` closes nothing", "13-14: `]` closes nothing"));
 }
@@ -280,8 +280,8 @@ TEST(Outline, ReportsWhatIsNoDeclaration) {
 }
 
 TEST(Outline, ReportsDirectivesAndStrayBytes) {
-  EXPECT_THAT(problems("#if 1\n#ifdef A // c\n"),
-              ElementsAre("0-5: `#if 1` is never closed", "6-19: `#ifdef A // c` is never closed"));
+  EXPECT_THAT(problems("#if 1\n#ifdef A // c\n"), ElementsAre("20-20: `#endif` is missing at the end of the text",
+                                                              "20-20: `#endif` is missing at the end of the text"));
   EXPECT_THAT(problems("#endif\n#else"), ElementsAre("0-6: `#endif` has no `#if`", "7-12: `#else` has no `#if`"));
   EXPECT_THAT(problems("#version x"), ElementsAre("0-10: `#version` has no number that can be read"));
   EXPECT_THAT(problems("#define 1"), ElementsAre("0-9: `#define` names no macro"));

@@ -292,5 +292,26 @@ TEST(CommandLine, InspectWritesTheSceneInEachEncoding) {
   EXPECT_EQ(run.err, "plugc: `--as` writes a document; add `--dump document`\n");
 }
 
+TEST(CommandLine, AnyNumberOfJobsSaysAndMakesTheSame) {
+  const SceneFolder folder;
+  for (const int number : {1, 2, 3, 4, 5}) {
+    folder.write(fmt::format("scenes/fine_{}.x3dv", number), kFine);
+    folder.write(fmt::format("scenes/faulty_{}.x3dv", number), kFaulty);
+  }
+  const Ended one = run_plugc(folder, "lint --no-cache -j 1 scenes");
+  EXPECT_THAT(one.err, HasSubstr("faulty_5.x3dv"));
+  const std::string all =
+      "scenes/fine_1.x3dv scenes/faulty_2.x3dv scenes/fine_3.x3dv --no-cache --target glsl330,essl300,spirv";
+  run_plugc(folder, "build " + all + " -j 1 -o 1.plugpack");
+  for (const std::string jobs : {"2", "4"}) {
+    const Ended several = run_plugc(folder, "lint --no-cache -j " + jobs + " scenes");
+    EXPECT_EQ(several.status, one.status);
+    EXPECT_EQ(several.err, one.err);
+    EXPECT_EQ(several.out, one.out);
+    run_plugc(folder, "build " + all + " -j " + jobs + " -o " + jobs + ".plugpack");
+    EXPECT_EQ(read_file(folder.path() / (jobs + ".plugpack")), read_file(folder.path() / "1.plugpack"));
+  }
+}
+
 }  // namespace
 }  // namespace plugc

@@ -1,5 +1,7 @@
 // A faulty effect costs its own picture only.
 
+#include <chrono>
+
 #include <fmt/format.h>
 
 #include "support/compile_text.h"
@@ -84,8 +86,42 @@ TEST(Faults, APartOfTooManyTokensIsReportedAndLeftOut) {
   std::string code = "void PLUG_fragment_modify(inout vec4 c) { c.r = 0.0";
   while (code.size() < 500'000) code += "+1";
   const Compiled compiled = compile_text(box_with("effects\n" + effect("Large", code + "; }")));
-  EXPECT_THAT(compiled.messages(), testing::Contains(HasSubstr("shader-limit this part has more than 200000 tokens")));
+  EXPECT_THAT(compiled.messages(), ElementsAre(HasSubstr("effect-left-out effect `Large` is left out"),
+                                               HasSubstr("shader-limit this part has more than 200000 tokens")));
   EXPECT_EQ(pixels_of(compiled), pixels_of(compile_text(box_with(""))));
+}
+
+/// The effect is at fault, and the two beside it draw; with the parent's and the worker's work that takes no time to speak of.
+void expect_one_fault(const std::string& code) {
+  const auto start = std::chrono::steady_clock::now();
+  const Compiled compiled = compile_text(box_with("effects [\n" + kRed + effect("Hostile", code) + kBlue + "]"));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20)) << code.substr(0, 60);
+  EXPECT_THAT(compiled.messages(), testing::Contains(HasSubstr("effect-left-out effect `Hostile` is left out")))
+      << code.substr(0, 60);
+  EXPECT_LE(compiled.messages().size(), 3U) << code.substr(0, 60);
+  const std::string program = compiled.package->programs()->Get(0)->recipe()->str();
+  EXPECT_THAT(program, testing::AllOf(HasSubstr("`Red`"), HasSubstr("`Blue`"), testing::Not(HasSubstr("`Hostile`"))));
+}
+
+std::string repeated(std::string_view text, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+TEST(Faults, HostileCodeCostsItsEffectOnly) {
+  const std::string begin = "void PLUG_fragment_modify(inout vec4 c) { ", end = " }\n";
+  expect_one_fault(begin + "c.r = 1.0" + repeated("+1.0", 60'000) + ";" + end);
+  expect_one_fault(begin + "c.r = " + repeated("-", 100'001) + "1.0;" + end);
+  expect_one_fault(begin + "c.r = " + repeated("(", 50'000) + "1.0" + repeated(")", 50'000) + ";" + end);
+  expect_one_fault(begin + repeated("{", 30'000) + repeated("}", 30'000) + end);
+  expect_one_fault(begin + repeated("if (c.r > 0.5) c.g = 0.0; else ", 20'000) + ";" + end);
+  expect_one_fault(begin + "float a[2147483647]; c.r = a[int(c.g)] + missing;" + end);
+  expect_one_fault(begin + repeated("c.r = 1.0;", 200'000) + end);
+  std::string bomb = "#define A0(x) x + x +\n";
+  for (int i = 1; i <= 30; ++i)
+    bomb += "#define A" + std::to_string(i) + "(x) A" + std::to_string(i - 1) + "(x) A" + std::to_string(i - 1) + "(x)\n";
+  expect_one_fault(bomb + begin + "c.r = A30(1.0) 1.0;" + end);
 }
 
 }  // namespace

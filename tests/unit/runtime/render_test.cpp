@@ -1,5 +1,7 @@
 #include "runtime/render.h"
 
+#include <gmock/gmock.h>
+
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -272,6 +274,7 @@ TEST(Render, ReportsRejectedProgramsAtTheAuthorsLineAndDrawsTheRest) {
       "void main() { castle_FragColor = missing; }\n";
   builder.package.sources = {"a.x3dv", "toon.fs"};
   stage.origins = {{0, 0}, {0, 0}, {1, 42}};
+  stage.columns = {{3, 15, 5}};  // what stands behind `void main() {` begins at column 5 there
   builder.flat_shape(square, broken, {1, 0, 0, 1});
   builder.flat_shape(square, builder.flat_program(), {0, 1, 0, 1});
   builder.orthographic_view(1);
@@ -279,9 +282,36 @@ TEST(Render, ReportsRejectedProgramsAtTheAuthorsLineAndDrawsTheRest) {
   const auto renderer = make_renderer(loaded);
   ASSERT_FALSE(renderer->messages().empty());
   EXPECT_EQ(renderer->messages()[0],
-            "toon.fs:42: the driver rejects program `program 0`, fragment stage: error: `missing' undeclared");
+            "toon.fs:42:24: the driver rejects program `program 0`, fragment stage: error: `missing' undeclared");
   EXPECT_EQ(pixel(renderer->draw(small()), 8, 8), kGreen);
   EXPECT_EQ(renderer->statistics().draw_calls, 1U);
+}
+
+TEST(Render, ReportsWhatCannotBeLinkedWhereItIsDeclared) {
+  SceneBuilder builder;
+  const std::uint32_t square = builder.square(1);
+  const std::uint32_t broken = builder.flat_program();
+  const auto& stages = builder.package.programs[broken]->targets[0]->stages;
+  stages[0]->text =
+      "#version 330 core\n"
+      "in vec4 castle_Vertex;\n"
+      "out vec3 height;\n"
+      "void main() { height = castle_Vertex.xyz; gl_Position = castle_Vertex; }\n";
+  stages[0]->origins = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
+  PackedStageT& stage = *stages[1];
+  stage.text =
+      "#version 330 core\n"
+      "out vec4 castle_FragColor;\n"
+      "in float height;\n"
+      "void main() { castle_FragColor = vec4(height); }\n";
+  builder.package.sources = {"a.x3dv", "toon.fs"};
+  stage.origins = {{0, 0}, {0, 0}, {1, 7}, {1, 9}};
+  builder.flat_shape(square, broken, {1, 0, 0, 1});
+  builder.orthographic_view(1);
+  const LoadedPackage loaded = builder.pack();
+  const auto renderer = make_renderer(loaded);
+  ASSERT_FALSE(renderer->messages().empty());
+  EXPECT_THAT(renderer->messages()[0], testing::StartsWith("toon.fs:7:10: the driver cannot link program `program 0`: "));
 }
 
 TEST(Render, RefusesASceneThatIsNotThere) {
