@@ -1,4 +1,4 @@
-// Meshes are shared by geometry node, images by file, recipes by value.
+// Meshes are shared by geometry node and texture coordinates, images by file, recipes by value.
 
 #include "prepare_scene.h"
 
@@ -10,18 +10,30 @@
 #include "image/load_images.h"
 #include "mesh/mesh.h"
 #include "mesh/tangents.h"
+#include "mesh/unit_coords.h"
 
 namespace plugc {
 namespace {
 
+std::vector<UnitCoords> unit_coords(const SceneShape& shape) {
+  std::vector<UnitCoords> units;
+  for (const TextureUse& use : shape.textures) units.push_back({use.coord, use.coord == VertexCoord::own ? use.unit : 0});
+  return are_plain(units) ? std::vector<UnitCoords>() : units;
+}
+
 void prepare_meshes(const NodeGraph& graph, SceneParts& parts, Diagnostics& diagnostics) {
-  std::map<NodeId, std::shared_ptr<const Mesh>> made;
+  std::map<std::pair<NodeId, std::vector<UnitCoords>>, std::shared_ptr<const Mesh>> made;
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     const NodeId geometry = parts.scene.shapes[i].geometry;
-    const auto [found, added] = made.try_emplace(geometry);
+    const auto [plain, added] = made.try_emplace({geometry, {}});
     if (added) {
-      if (auto mesh = make_mesh(graph, geometry, diagnostics)) found->second = std::make_shared<const Mesh>(std::move(*mesh));
+      if (auto mesh = make_mesh(graph, geometry, diagnostics)) plain->second = std::make_shared<const Mesh>(std::move(*mesh));
     }
+    parts.shapes[i].mesh = plain->second;
+    const std::vector<UnitCoords> units = unit_coords(parts.scene.shapes[i]);
+    if (plain->second == nullptr || units.empty()) continue;
+    const auto [found, is_new] = made.try_emplace({geometry, units});
+    if (is_new) found->second = std::make_shared<const Mesh>(with_unit_coords(*plain->second, units));
     parts.shapes[i].mesh = found->second;
   }
 }
@@ -49,11 +61,19 @@ void prepare_effect_code(const Scene& scene, PreparedScene& prepared, Diagnostic
   const auto outline_all = [&](const std::vector<SceneEffect>& authors, std::vector<EffectCode>& codes) {
     for (const SceneEffect& author : authors) {
       codes.push_back(make_effect_code(author, diagnostics));
-      check_fields(author, codes.back(), diagnostics);
+      check_fields(scene, author, codes.back(), diagnostics);
     }
   };
   outline_all(scene.effects, prepared.effects);
   outline_all(scene.shaders, prepared.shaders);
+}
+
+/// By texture coordinate unit: some q is not 1.
+std::vector<bool> projective_units(const Mesh& mesh) {
+  std::vector<bool> projective;
+  for (const std::vector<glm::vec4>& coords : mesh.tex_coords)
+    projective.push_back(std::ranges::any_of(coords, [](const glm::vec4& coord) { return coord.w != 1.0F; }));
+  return projective;
 }
 
 Primitive primitive_of(const Mesh& mesh) {
@@ -74,7 +94,8 @@ AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
   }
   for (const TextureUse& texture : shape.textures) {
     if (texture.role != TextureRole::main) continue;
-    use = std::max(use, alpha_use(*parts.images[static_cast<std::size_t>(texture.texture)]));
+    const auto& image = parts.images[static_cast<std::size_t>(texture.texture)];
+    if (image != nullptr) use = std::max(use, alpha_use(*image));
   }
   return use;
 }
@@ -103,6 +124,7 @@ ShapeFacts shape_facts(const PreparedScene& prepared, const SceneShape& shape, c
           .has_colors = !mesh.colors.empty(),
           .solid = mesh.solid,
           .alpha_test = alpha == AlphaUse::tested,
+          .projective = projective_units(mesh),
           .primitive = primitive_of(mesh),
           .has_fog_coords = !mesh.fog_coords.empty(),
           .has_tangents = !mesh.tangents.empty(),
@@ -149,9 +171,10 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& fil
   SceneParts& parts = prepared.parts;
   parts.scene = std::move(scene);
   parts.shapes.resize(parts.scene.shapes.size());
-  prepare_meshes(graph, parts, diagnostics);
   parts.images = load_images(graph, parts.scene, files, diagnostics);
   drop_missing_textures(parts.scene, parts.images);
+  // from here textures have their final numbers, which those of texture coordinates follow
+  prepare_meshes(graph, parts, diagnostics);
   prepare_tangents(parts);
   prepare_effect_code(parts.scene, prepared, diagnostics);
   prepare_recipes(prepared);

@@ -139,24 +139,25 @@ View look_along(const glm::dvec3& position, const glm::dvec3& direction, const g
   return view;
 }
 
-View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
-                 Messages& messages) {
-  const PackedViewpoint* const viewpoint = find_viewpoint(scene, wanted, messages);
-  if (viewpoint == nullptr) {
-    View view = view_of_whole(world.bounds);
-    view.projection = perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
-    return view;
-  }
-  const glm::dmat4& place = world.at(viewpoint->transform()).matrix;
-  const glm::dmat3 axes =
-      glm::dmat3(place) * glm::dmat3(rotation_matrix(slots.vector4(viewpoint->orientation(), {0, 0, 1, 0})));
-  const glm::dvec4 position = place * glm::dvec4(slots.vector3(viewpoint->position(), {0, 0, 10}), 1);
+View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World& world, double aspect) {
+  const glm::dmat4& place = world.at(viewpoint.transform()).matrix;
+  const glm::dmat3 axes = glm::dmat3(place) * glm::dmat3(rotation_matrix(slots.vector4(viewpoint.orientation(), {0, 0, 1, 0})));
+  const glm::dvec4 position = place * glm::dvec4(slots.vector3(viewpoint.position(), {0, 0, 10}), 1);
   View view = look_along(glm::dvec3(position), -axes[2], axes[1]);
   const DepthRange range = depth_range(world, view);
   view.projection =
-      viewpoint->orthographic()
-          ? orthographic(range, slots.vector4(viewpoint->field_of_view(), {-1, -1, 1, 1}), aspect)
-          : perspective(range, clamped_angle(slots.number(viewpoint->field_of_view(), kDefaultFieldOfView)), aspect);
+      viewpoint.orthographic()
+          ? orthographic(range, slots.vector4(viewpoint.field_of_view(), {-1, -1, 1, 1}), aspect)
+          : perspective(range, clamped_angle(slots.number(viewpoint.field_of_view(), kDefaultFieldOfView)), aspect);
+  return view;
+}
+
+View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
+                 Messages& messages) {
+  if (const PackedViewpoint* const viewpoint = find_viewpoint(scene, wanted, messages))
+    return view_from(*viewpoint, slots, world, aspect);
+  View view = view_of_whole(world.bounds);
+  view.projection = perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
   return view;
 }
 

@@ -45,10 +45,9 @@ BoundTexture find_texture(LoadedScene& scene, const Pass& pass, const PackedBind
   return {scene.resources.stand_in(type).id()};
 }
 
-void bind_sampler(const gl::Functions& gl, const LoadedUniform& uniform, const BoundTexture& bound) {
-  for (std::uint32_t i = 0; i < uniform.count; ++i) {
-    gl::bind_texture(gl, uniform.unit + static_cast<GLint>(i), gl::texture_target(uniform.type), bound.texture, bound.sampler);
-  }
+void bind_sampler(const gl::Functions& gl, const LoadedUniform& uniform, std::uint32_t element, const BoundTexture& bound) {
+  gl::bind_texture(gl, uniform.unit + static_cast<GLint>(element), gl::texture_target(uniform.type), bound.texture,
+                   bound.sampler);
 }
 
 void set_numbers(const gl::Functions& gl, const LoadedUniform& uniform, const PackedBinding& binding,
@@ -59,22 +58,23 @@ void set_numbers(const gl::Functions& gl, const LoadedUniform& uniform, const Pa
 
 void apply_bindings(const gl::Functions& gl, LoadedScene& scene, const Pass& pass, const LoadedProgram& program,
                     const Bindings& bindings, const UniformInputs& inputs, Messages& messages) {
-  std::vector<bool> fed(program.uniforms.size(), false);
+  std::set<GLint> fed;  // texture units
   for (const PackedBinding* packed : bindings) {
     const PackedBinding& binding = *packed;
     const LoadedUniform& uniform = program.uniforms[binding.uniform()];
-    fed[binding.uniform()] = true;
     if (uniform.location < 0) continue;
     if (gl::is_sampler(uniform.type)) {
-      bind_sampler(gl, uniform, find_texture(scene, pass, binding, uniform.type, messages));
+      fed.insert(uniform.unit + static_cast<GLint>(binding.b()));
+      bind_sampler(gl, uniform, binding.b(), find_texture(scene, pass, binding, uniform.type, messages));
     } else {
       set_numbers(gl, uniform, binding, inputs);
     }
   }
-  for (std::size_t i = 0; i < fed.size(); ++i) {
-    const LoadedUniform& uniform = program.uniforms[i];
-    if (fed[i] || uniform.unit < 0) continue;
-    bind_sampler(gl, uniform, {scene.resources.stand_in(uniform.type).id()});
+  for (const LoadedUniform& uniform : program.uniforms) {
+    for (std::uint32_t element = 0; uniform.unit >= 0 && element < uniform.count; ++element) {
+      if (fed.contains(uniform.unit + static_cast<GLint>(element))) continue;
+      bind_sampler(gl, uniform, element, {scene.resources.stand_in(uniform.type).id()});
+    }
   }
 }
 

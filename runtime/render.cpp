@@ -67,6 +67,10 @@ void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t 
 void draw_shadow_maps(const gl::Functions& gl, LoadedScene& scene, std::set<std::uint32_t>& programs,
                       FrameStatistics& statistics, Messages& messages) {
   for (std::uint32_t i = 0; i < scene.shadow_maps.size(); ++i) {
+    if (must_be_fitted(scene.shadow_maps[i], scene.slots)) {
+      scene.shadow_maps[i].view = fit_shadow_map(*scene.package, *scene.packed, scene.slots, scene.world, i, messages);
+      scene.shadow_maps[i].drawn_revision = scene.slots.revision();
+    }
     const PackedShadowUpdate update = scene.packed->shadow_maps()->Get(i)->update();
     if (!must_be_drawn(scene.shadow_maps[i], update, scene.slots, scene.world)) continue;
     draw_shadow_map(gl, scene, i, programs, statistics, messages);

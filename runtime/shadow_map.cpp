@@ -26,8 +26,14 @@ bool receives(const PackedShape& shape, std::uint32_t map) {
 
 bool reads(const flatbuffers::Vector<const PackedBinding*>& bindings, std::uint32_t map) {
   return std::any_of(bindings.begin(), bindings.end(), [map](const PackedBinding* binding) {
-    return binding->source() == PackedSource::shadow_map && binding->a() == map;
+    const bool of_map = binding->source() == PackedSource::shadow_map || binding->source() == PackedSource::projector_matrix;
+    return of_map && binding->a() == map;
   });
+}
+
+/// Shapes that are seen from the light: shadowed by it, or with texture coordinates that it projects.
+bool is_seen_from(const PackedShape& shape, std::uint32_t map, std::uint8_t variant) {
+  return receives(shape, map) || reads(*shape_programs(shape, variant).bindings, map);
 }
 
 std::vector<MapReader> find_readers(const PackedScene& scene, std::uint32_t map) {
@@ -66,7 +72,7 @@ FitInput fit_input(const Package& package, const PackedScene& scene, const World
     const PackedShape& shape = *scene.shapes()->Get(i);
     const PlacedBox placed{mesh_bounds(*package.meshes()->Get(shape.mesh())), world.at(shape.transform()).matrix};
     const bool caster = casts(scene, world, i);
-    const bool receiver = receives(shape, index);
+    const bool receiver = is_seen_from(shape, index, world.shape_variant[i]);
     if (caster) input.casters.push_back(placed);
     if (receiver) input.receivers.push_back(placed);
     if ((caster || receiver) && !shape.bounds_known()) input.may_move = true;
@@ -83,6 +89,7 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
     const PackedShadowMap& packed = *scene.shadow_maps()->Get(i);
     maps.push_back(make_shadow_map(functions, packed, *scene.lights()->Get(packed.light()), messages));
     maps.back().readers = find_readers(scene, i);
+    maps.back().only_projects = packed.update() == PackedShadowUpdate::none && !maps.back().readers.empty();
   }
   return maps;
 }
@@ -94,6 +101,10 @@ bool must_be_drawn(const ShadowMap& map, PackedShadowUpdate update, const Slots&
   return stale && std::ranges::any_of(map.readers, [&world](const MapReader& reader) {
            return world.shape_visible[reader.shape] && world.shape_variant[reader.shape] == reader.variant;
          });
+}
+
+bool must_be_fitted(const ShadowMap& map, const Slots& slots) {
+  return map.only_projects && map.drawn_revision != slots.revision();
 }
 
 bool casts(const PackedScene& scene, const World& world, std::uint32_t shape) {

@@ -22,6 +22,7 @@ struct ShadowMap {
   gl::Framebuffer framebuffer;
   GLsizei size = 0;
   std::vector<MapReader> readers;    ///< Whose programs look into it.
+  bool only_projects = false;        ///< Never drawn, but some shape's texture coordinates are what its light sees.
   View view;                         ///< What the light saw when the map was drawn last.
   std::uint64_t drawn_revision = 0;  ///< Of the slots, at that time; 0: never.
 };
@@ -32,6 +33,9 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
 /// Whether somebody visible looks into the map and it may differ from what it holds: it was never drawn, or it follows
 /// the scene (`always`) and a slot has changed since. Nothing but slots moves a light, a caster or an effect.
 bool must_be_drawn(const ShadowMap& map, PackedShadowUpdate update, const Slots& slots, const World& world);
+
+/// Whether its light must be looked from again, though the map is not drawn.
+bool must_be_fitted(const ShadowMap& map, const Slots& slots);
 
 /// Shapes that are drawn into depth maps: visible, with a depth program.
 bool casts(const PackedScene& scene, const World& world, std::uint32_t shape);

@@ -97,17 +97,23 @@ Numbers slot_numbers(std::uint32_t slot, double scale, std::size_t wanted_size, 
   return result;
 }
 
+/// An angle around z, or an axis with its angle.
+glm::dmat4 texture_rotation(std::uint32_t slot, const Slots& slots) {
+  if (slots.element_size(slot) == 4) return rotation_matrix(slots.vector4(slot, {0, 0, 1, 0}));
+  return glm::rotate(glm::dmat4(1.0), slots.number(slot, 0), glm::dvec3(0, 0, 1));
+}
+
 glm::dmat4 texture_matrix(const PackedTextureTransform& packed, const Slots& slots) {
-  const auto plane = [&slots](std::uint32_t slot, double z) {
-    glm::dvec3 vector = slots.vector3(slot, glm::dvec3(z));
-    vector.z = z;
-    return vector;
+  const auto vector = [&slots](std::uint32_t slot, double z) {
+    glm::dvec3 found = slots.vector3(slot, glm::dvec3(z));
+    if (slots.element_size(slot) < 3) found.z = z;
+    return found;
   };
   const glm::dmat4 one(1.0);
-  const glm::dvec3 center = plane(packed.center(), 0);
-  return glm::translate(one, -center) * glm::scale(one, plane(packed.scale(), 1)) *
-         glm::rotate(one, slots.number(packed.rotation(), 0), glm::dvec3(0, 0, 1)) * glm::translate(one, center) *
-         glm::translate(one, plane(packed.translation(), 0));
+  const glm::dvec3 center = vector(packed.center(), 0);
+  return glm::translate(one, -center) * glm::scale(one, vector(packed.scale(), 1)) *
+         texture_rotation(packed.rotation(), slots) * glm::translate(one, center) *
+         glm::translate(one, vector(packed.translation(), 0));
 }
 
 glm::dmat4 rotation_part(const glm::dmat4& matrix) {
@@ -130,6 +136,10 @@ Numbers matrix_numbers(const PackedBinding& binding, const UniformInputs& inputs
     case PackedSource::texture_matrix:
       return numbers(texture_matrix(*inputs.scene.texture_transforms()->Get(binding.a()), inputs.slots));
     case PackedSource::projector_matrix: return numbers(world_to_texture(shadow_view(binding, inputs)) * view.eye_to_world);
+    case PackedSource::viewpoint_projector_matrix: {
+      const PackedViewpoint& projector = *inputs.scene.projectors()->Get(binding.a());
+      return numbers(world_to_texture(view_from(projector, inputs.slots, inputs.world, 1.0)) * view.eye_to_world);
+    }
     case PackedSource::camera_matrix: return numbers(view.world_to_eye);
     case PackedSource::camera_inverse_matrix: return numbers(view.eye_to_world);
     case PackedSource::camera_rotation_matrix: return numbers(rotation_part(view.world_to_eye));
@@ -162,6 +172,8 @@ Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, co
     case PackedSource::color_and_transparency:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
     case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
+    case PackedSource::color_and_alpha:
+      return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), inputs.slots.number(binding.b(), 1)));
     case PackedSource::light_position:
     case PackedSource::light_spot_direction:
     case PackedSource::light_spot_cos_cutoff:

@@ -59,6 +59,9 @@ struct View {
 /// unusable one is replaced (direction by -z, up by whatever is orthogonal).
 View look_along(const glm::dvec3& position, const glm::dvec3& direction, const glm::dvec3& up);
 
+/// What a viewpoint sees in a picture of that shape.
+View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World& world, double aspect);
+
 /// `wanted` is a DEF name or an index from 0; unknown ones are reported and the first viewpoint taken. `aspect` is width /
 /// height.
 View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,

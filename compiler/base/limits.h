@@ -25,6 +25,7 @@ inline constexpr std::size_t kMaxShaderTokens = 200'000;              ///< Token
 inline constexpr std::size_t kMaxStageBytes = std::size_t{4} << 20;   ///< Text of one composed stage.
 inline constexpr std::uint32_t kMaxExpressionNesting = 200;           ///< Brackets inside brackets in one shader.
 inline constexpr std::uint32_t kMaxImageSide = 16'384;                ///< Pixels along one side of an image.
+inline constexpr std::size_t kMaxJoinedTexels = 1 << 27;              ///< Of a volume or cube map made of pictures.
 inline constexpr std::size_t kMaxMeshVertices = 50'000'000;           ///< Vertices of one mesh.
 inline constexpr std::uint32_t kMaxShadowMapSide = 8'192;             ///< Texels along one side of a shadow map.
 

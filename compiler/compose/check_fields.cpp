@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "compose/castle_names.h"
+#include "compose/sampler_type.h"
 
 namespace plugc {
 namespace {
@@ -43,24 +44,67 @@ std::string missing_field_message(std::string_view name, const DeclaredUniform& 
                      did_you_mean(name, names));
 }
 
+/// The first texture of the field that another sampler reads; -1: all fit.
+int misfit_texture(const Scene& scene, const ShaderField& field, std::string_view sampler) {
+  const auto found = std::ranges::find_if(field.textures, [&](int texture) {
+    return texture >= 0 && sampler_type(scene.textures[static_cast<std::size_t>(texture)].kind) != sampler;
+  });
+  return found == field.textures.end() ? -1 : *found;
+}
+
+std::string texture_reader(TextureKind kind) {
+  const std::string_view sampler = sampler_type(kind);
+  return sampler.empty() ? "is code and has no sampler" : fmt::format("is read by a `{}`", sampler);
+}
+
+/// A field of another type than its uniform, or with a texture of another kind.
+void report_misfit(const Scene& scene, const ShaderField& field, const DeclaredUniform& uniform, Diagnostics& diagnostics) {
+  const std::vector<RelatedPlace> related = {{uniform.span, "the uniform is declared here"}};
+  if (is_node(field.type) && is_sampler(uniform.type)) {
+    const int texture = misfit_texture(scene, field, uniform.type);
+    const TextureKind kind = scene.textures[static_cast<std::size_t>(texture)].kind;
+    diagnostics.report(
+        DiagnosticId::sampler_kind, field.span,
+        fmt::format("the texture of field `{}` {}, but its uniform is a `{}`", field.name, texture_reader(kind), uniform.type),
+        related);
+    return;
+  }
+  diagnostics.report(DiagnosticId::uniform_type, field.span,
+                     fmt::format("field `{}` is `{}`, but its uniform is `{}`", field.name, to_text(field.type), uniform.type),
+                     related);
+}
+
+/// A texture that stands on no shape has no place where its effects would be called.
+void report_unused_effects(const Scene& scene, const ShaderField& field, Diagnostics& diagnostics) {
+  const auto is_on = [](const SceneShape& shape, int texture) {
+    return std::ranges::find(shape.textures, texture, &TextureUse::texture) != shape.textures.end();
+  };
+  for (const int texture : field.textures) {
+    if (texture < 0 || scene.textures[static_cast<std::size_t>(texture)].effects.empty()) continue;
+    if (std::ranges::any_of(scene.shapes, [&](const SceneShape& shape) { return is_on(shape, texture); })) continue;
+    diagnostics.report(
+        DiagnosticId::texture_effects_unused, field.span,
+        fmt::format("the effects of the texture in field `{}` are not called: it only feeds a uniform; put their code "
+                    "where the uniform is read",
+                    field.name));
+  }
+}
+
 }  // namespace
 
 std::string_view uniform_type(FieldType type) {
-  if (is_node(type)) return "sampler2D";
   const auto slot = slot_type(type);
   if (!slot) return "";
   constexpr std::string_view kTypes[] = {"bool", "int", "float", "vec2", "vec3", "vec4", "mat3", "mat4", "vec4"};
   return kTypes[static_cast<std::size_t>(*slot)];
 }
 
-bool feeds(const ShaderField& field, std::string_view glsl_type) {
+bool feeds(const Scene& scene, const ShaderField& field, std::string_view glsl_type) {
   if (!is_node(field.type)) return uniform_type(field.type) == glsl_type;
-  // a texture that plugc does not draw yet has said so; any sampler may stand for it
-  const bool drawn = std::any_of(field.textures.begin(), field.textures.end(), [](int texture) { return texture >= 0; });
-  return drawn ? glsl_type == "sampler2D" : glsl_type.find("sampler") != std::string_view::npos;
+  return is_sampler(glsl_type) && misfit_texture(scene, field, glsl_type) < 0;
 }
 
-void check_fields(const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics) {
+void check_fields(const Scene& scene, const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics) {
   Uniforms uniforms;
   const auto collect_part = [&](const EffectCode::Part& part) {
     for (const auto& unit : {part.in_vertex, part.in_fragment, part.in_geometry, part.behind_geometry})
@@ -76,14 +120,13 @@ void check_fields(const SceneEffect& effect, const EffectCode& code, Diagnostics
       if (effect.warn_missing_uniforms && !uniform.initialized) {
         diagnostics.report(DiagnosticId::uniform_without_field, uniform.span, missing_field_message(name, uniform, effect));
       }
-    } else if (!feeds(*field, uniform.type)) {
-      diagnostics.report(DiagnosticId::uniform_type, field->span,
-                         fmt::format("field `{}` is `{}`, but its uniform is `{}`", name, to_text(field->type), uniform.type),
-                         {{uniform.span, "the uniform is declared here"}});
+    } else if (!feeds(scene, *field, uniform.type)) {
+      report_misfit(scene, *field, uniform, diagnostics);
     }
   }
   const bool was_read = !effect.parts.empty() && (!code.parts.empty() || !code.has_problems);
   for (const ShaderField& field : effect.fields) {
+    report_unused_effects(scene, field, diagnostics);
     if (uniforms.contains(field.name) || !was_read) continue;
     diagnostics.report(DiagnosticId::field_without_uniform, field.span,
                        fmt::format("no part of `{}` declares a uniform `{}`", effect.label, field.name));

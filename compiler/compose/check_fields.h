@@ -11,11 +11,11 @@ namespace plugc {
 /// The GLSL type that a field feeds (`vec3` for SFColor), or "" when it feeds none. Arrays have the element's type.
 std::string_view uniform_type(FieldType type);
 
-/// Whether the field may feed a uniform of this GLSL type.
-bool feeds(const ShaderField& field, std::string_view glsl_type);
+/// Whether the field may feed a uniform of this GLSL type: a texture, its own kind of sampler.
+bool feeds(const Scene& scene, const ShaderField& field, std::string_view glsl_type);
 
 /// Reports uniforms that no field feeds, fields that feed no uniform, and pairs of different types, for one effect or
-/// ComposedShader. `shader` is the ComposedShader whose fields serve too, or null.
-void check_fields(const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics);
+/// ComposedShader.
+void check_fields(const Scene& scene, const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics);
 
 }  // namespace plugc

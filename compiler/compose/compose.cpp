@@ -10,6 +10,7 @@
 #include "compose/castle_names.h"
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
+#include "compose/sampler_type.h"
 
 namespace plugc {
 
@@ -60,6 +61,13 @@ std::string_view Composition::name_of(std::size_t owner, std::string_view name) 
   const Owner::Renames& renames = owners[owner].renames;
   const auto renamed = renames.find(name);
   return renamed == renames.end() ? name : std::string_view(renamed->second);
+}
+
+std::string_view Composition::type_of(const CastleName& name) const {
+  const bool of_texture = name.source == CastleSource::texture && name.number >= 0 &&
+                          static_cast<std::size_t>(name.number) < recipe.textures.size();
+  const std::string_view sampler = of_texture ? sampler_type(recipe.textures[static_cast<std::size_t>(name.number)].kind) : "";
+  return sampler.empty() ? name.type : sampler;
 }
 
 PlacedUnit make_placed_unit(std::shared_ptr<const CodeUnit> code, ShaderStage stage, std::size_t owner, PlugScope scope) {

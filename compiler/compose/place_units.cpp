@@ -10,6 +10,7 @@
 #include "compose/castle_names.h"
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
+#include "compose/texture_features.h"
 
 namespace plugc {
 namespace {
@@ -192,7 +193,7 @@ void Placer::place_further_texture(int number) {
   Features features = {kRoles[static_cast<std::size_t>(texture.role)]};
   if (recipe_.physical && texture.role == TextureRole::emissive) features.insert("LINEAR_LIGHT");
   if (recipe_.two_sided) features.insert("TWO_SIDED");
-  add_template("texture.vert", ShaderStage::vertex, texture.matrix ? Features{"TEXTURE_MATRIX"} : Features{}, scope);
+  add_template("texture.vert", ShaderStage::vertex, coordinate_features(texture), scope);
   if (texture.role == TextureRole::normal) add_template("tangent.vert", ShaderStage::vertex, {}, scope);
   add_template("surface.frag", ShaderStage::fragment, features, scope);
   c_.units.back().offers_to_scope_alone = true;
@@ -201,14 +202,13 @@ void Placer::place_further_texture(int number) {
 void Placer::place_texture(int number) {
   const TextureRecipe& texture = recipe_.textures[static_cast<std::size_t>(number)];
   if (texture.role != TextureRole::main) return place_further_texture(number);
-  Features features;
-  constexpr std::string_view kModes[] = {"MODE_MODULATE", "MODE_REPLACE", "MODE_ADD"};
-  features.insert(kModes[static_cast<std::size_t>(texture.mode)]);
-  if (number == 0) features.insert("FIRST_UNIT");
+  const PlugScope scope{ScopeKind::texture, number};
+  Features features = texture_features(texture, number == 0);
   if (recipe_.physical) features.insert("LINEAR_LIGHT");
-  add_template("texture.vert", ShaderStage::vertex, texture.matrix ? Features{"TEXTURE_MATRIX"} : Features{},
-               {ScopeKind::texture, number});
-  add_template("texture.frag", ShaderStage::fragment, features, {ScopeKind::texture, number});
+  add_template("texture.vert", ShaderStage::vertex, coordinate_features(texture), scope);
+  add_template("texture.frag", ShaderStage::fragment, features, scope);
+  for (const Features& mode : mode_features(texture.combination))
+    add_template("texture_mode.glsl", ShaderStage::fragment, mode, scope);
 }
 
 /// Coordinates that effects read though the shape has no texture there (effects.md: a castle_ name that is used is fed).
@@ -218,7 +218,7 @@ void Placer::place_wanted_coordinates() {
     const auto number = static_cast<std::size_t>(unit);
     const bool is_there = number < recipe_.textures.size() && recipe_.textures[number].role != TextureRole::unused;
     if (!is_there && authors_use("castle_TexCoord" + std::to_string(unit))) {
-      add_template("texture.vert", ShaderStage::vertex, {}, {ScopeKind::texture, unit});
+      add_template("texture.vert", ShaderStage::vertex, coordinate_features({}), {ScopeKind::texture, unit});
     }
   }
 }
@@ -277,6 +277,8 @@ void Placer::place() {
   place_base();
   base_adds_lights_ = base_has_marker("add_light");
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) place_light(static_cast<int>(i));
+  if (std::ranges::any_of(recipe_.textures, uses_diffuse, &TextureRecipe::combination))
+    add_template("texture_diffuse.frag", ShaderStage::fragment, {}, {});
   for (std::size_t i = 0; i < recipe_.textures.size(); ++i) place_texture(static_cast<int>(i));
   place_wanted_coordinates();
   place_fog();

@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "compose/castle_names.h"
 #include "compose/compose.h"
 
 namespace plugc {
@@ -122,6 +123,8 @@ struct Composition {
   std::string_view name_of(std::size_t owner, std::string_view name) const;
   /// Notes that the unit's effect takes something from another author.
   void note_need(const PlacedUnit& unit, std::size_t provider, NeedKind kind, std::string_view name);
+  /// The GLSL type of a castle_ name here: of a texture, its own sampler.
+  std::string_view type_of(const CastleName& name) const;
   /// Leaves the unit's effect (or the ComposedShader) out of the program.
   void mark_faulty(const PlacedUnit& unit) { mark_faulty(owners[unit.owner]); }
   void mark_faulty(const Owner& owner);

@@ -5,14 +5,11 @@
 
 #include <algorithm>
 
+#include "compose/sampler_type.h"
 #include "glsl/scan.h"
 
 namespace plugc {
 namespace {
-
-bool is_sampler(std::string_view type) {
-  return type.find("sampler") != std::string_view::npos;
-}
 
 bool is_strengthened(const Parameter& parameter, const PlugParameter& plug) {
   return parameter.direction != Direction::in && plug.direction != "inout";
@@ -103,6 +100,11 @@ std::optional<TextRange> find_misfit(const FunctionOutline& function, const Plug
   if (given.size() > wanted.size()) return TextRange{given[wanted.size()].begin, given[wanted.size()].end};
   if (given.size() < wanted.size()) return TextRange{function.parameters_end, function.parameters_end + 1};
   return std::nullopt;
+}
+
+bool takes_texture(const FunctionOutline& function, std::string_view sampler) {
+  const bool has_sampler = function.parameters.size() == 3;
+  return sampler.empty() ? !has_sampler : has_sampler && function.parameters[1].type == sampler;
 }
 
 std::vector<std::string_view> split_arguments(std::string_view arguments) {

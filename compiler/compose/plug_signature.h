@@ -25,6 +25,9 @@ const Parameter* strengthened_parameter(const FunctionOutline& function, const P
 /// Whether a definition of this function moves the vertices of its shape.
 bool moves_vertices(const FunctionOutline& function);
 
+/// Whether a `texture_color` function takes a texture that this sampler reads; "" for one without a sampler.
+bool takes_texture(const FunctionOutline& function, std::string_view sampler);
+
 /// The arguments of a marker, split at the commas outside of brackets, without blanks around them.
 std::vector<std::string_view> split_arguments(std::string_view arguments);
 

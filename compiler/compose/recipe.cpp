@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 namespace plugc {
 namespace {
 
@@ -48,12 +46,24 @@ class RecipeMaker {
     return any_effect([](const EffectCode& code) { return !code.parts.empty(); });
   }
 
+  bool generates_coordinates() const {
+    return std::ranges::any_of(shape_.textures, [](const TextureUse& use) { return use.generator != CoordGenerator::none; });
+  }
+
   /// Whether the material's ambient colour may be other than black.
   bool has_ambient() const {
     return (may_differ(material_.ambient, 0) && may_differ(material_.ambient_color, 0)) || any_fills("material_ambient");
   }
+  /// A matrix may give q another value.
+  bool may_project(const SceneTextureTransform& transform) const {
+    const Slot* matrix = slot(transform.matrix);
+    if (matrix == nullptr) return false;
+    const std::vector<double>& m = matrix->values;
+    return matrix->routed || m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1;
+  }
   LightRecipe light(int index) const;
-  TextureRecipe texture(const TextureUse& use, const Recipe& recipe) const;
+  TextureRecipe texture(std::size_t number, const Recipe& recipe) const;
+  bool is_projective(std::size_t number) const;
   bool is_read(TextureRole role, const Recipe& recipe) const;
   bool needs_vertex_eye(const Recipe& recipe) const;
 
@@ -121,13 +131,28 @@ bool RecipeMaker::is_read(TextureRole role, const Recipe& recipe) const {
   return false;
 }
 
-TextureRecipe RecipeMaker::texture(const TextureUse& use, const Recipe& recipe) const {
+/// Whether q may differ from 1 where a picture is looked up.
+bool RecipeMaker::is_projective(std::size_t number) const {
+  const TextureUse& use = shape_.textures[number];
+  if (scene_.textures[static_cast<std::size_t>(use.texture)].kind != TextureKind::image_2d) return false;
+  const bool by_matrix = use.transform >= 0 && may_project(scene_.texture_transforms[static_cast<std::size_t>(use.transform)]);
+  const bool by_mesh = use.generator == CoordGenerator::none && number < facts_.projective.size() && facts_.projective[number];
+  return by_matrix || by_mesh || use.generator == CoordGenerator::projection;
+}
+
+TextureRecipe RecipeMaker::texture(std::size_t number, const Recipe& recipe) const {
+  const TextureUse& use = shape_.textures[number];
+  const SceneTexture& texture = scene_.textures[static_cast<std::size_t>(use.texture)];
+  const bool has_its_kind = use.role == TextureRole::main || texture.kind == TextureKind::image_2d;
   TextureRecipe made;
-  made.role = is_read(use.role, recipe) ? use.role : TextureRole::unused;
+  made.role = has_its_kind && is_read(use.role, recipe) ? use.role : TextureRole::unused;
   if (made.role == TextureRole::unused) return made;
-  made.mode = use.mode;
+  made.kind = texture.kind;
+  made.combination = use.combination;
+  made.generator = use.generator;
   made.matrix = use.transform >= 0;
-  made.effects = switched_on(scene_.textures[static_cast<std::size_t>(use.texture)].effects);
+  made.projective = is_projective(number);
+  made.effects = switched_on(texture.effects);
   return made;
 }
 
@@ -153,7 +178,7 @@ Recipe RecipeMaker::make() {
       std::ranges::any_of(shape_.textures, [](const TextureUse& use) { return use.role != TextureRole::main; });
   const bool per_fragment = !shape_.receives.empty() || shape_.shader >= 0 || recipe.physical || has_further_textures;
   recipe.gouraud = shape_.shading == Shading::gouraud && !per_fragment;
-  recipe.normals = facts_.has_normals && (recipe.lit || has_effects() || recipe.shader >= 0);
+  recipe.normals = facts_.has_normals && (recipe.lit || has_effects() || recipe.shader >= 0 || generates_coordinates());
   recipe.two_sided = !facts_.solid && recipe.normals;
   recipe.color_per_vertex = facts_.has_colors;
   recipe.alpha_test = facts_.alpha_test;
@@ -165,9 +190,7 @@ Recipe RecipeMaker::make() {
     for (const int index : shape_.lights) recipe.lights.push_back(light(index));
   }
   recipe.ambient = phong && (has_ambient() || any_fills("material_light_ambient"));
-  for (const TextureUse& use : shape_.textures) {
-    recipe.textures.push_back(texture(use, recipe));
-  }
+  for (std::size_t i = 0; i < shape_.textures.size(); ++i) recipe.textures.push_back(texture(i, recipe));
   if (shape_.fog >= 0) recipe.fog = scene_.fogs[static_cast<std::size_t>(shape_.fog)].kind;
   recipe.fog_coord = facts_.has_fog_coords;
   recipe.vertex_eye = needs_vertex_eye(recipe);
@@ -175,10 +198,6 @@ Recipe RecipeMaker::make() {
   recipe.guarded.assign(switched_.effects_guarded.begin(), switched_.effects_guarded.end());
   while (!recipe.lights.empty() && recipe.lights.back().off) recipe.lights.pop_back();  // nobody is numbered behind them
   return recipe;
-}
-
-void append_effects(std::string& text, const std::vector<int>& effects, const Scene& scene) {
-  for (const int effect : effects) text += fmt::format(" `{}`", scene.effects[static_cast<std::size_t>(effect)].label);
 }
 
 }  // namespace
@@ -212,63 +231,6 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
   depth.normals = recipe.normals && !depth.effects.empty();
   if (has_geometry) depth.primitive = recipe.primitive;
   return depth;
-}
-
-std::string to_text(const Recipe& recipe, const Scene& scene) {
-  std::string text = recipe.depth_only ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
-  const std::pair<bool, std::string_view> flags[] = {{!recipe.depth_only && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
-                                                     {recipe.physical, " physical"},
-                                                     {recipe.specular, " specular"},
-                                                     {recipe.emissive, " emissive"},
-                                                     {recipe.two_sided, " two_sided"},
-                                                     {recipe.color_per_vertex, " color_per_vertex"},
-                                                     {recipe.alpha_test, " alpha_test"},
-                                                     {recipe.fog == FogKind::linear, " linear_fog"},
-                                                     {recipe.fog == FogKind::exponential, " exponential_fog"},
-                                                     {recipe.fog != FogKind::none && recipe.fog_coord, " fog_coord"},
-                                                     {recipe.primitive == Primitive::points, " points"},
-                                                     {recipe.primitive == Primitive::lines, " lines"}};
-  for (const auto& [set, word] : flags) {
-    if (set) text += word;
-  }
-  if (recipe.shader >= 0) text += fmt::format(" `{}`", scene.shaders[static_cast<std::size_t>(recipe.shader)].label);
-  constexpr std::string_view kKinds[] = {"directional", "point", "spot"};
-  for (const LightRecipe& light : recipe.lights) {
-    if (light.off) {
-      text += "; light off";
-      continue;
-    }
-    text += fmt::format("; light {}", kKinds[static_cast<std::size_t>(light.kind)]);
-    const std::pair<bool, std::string_view> terms[] = {
-        {light.ambient, " ambient"},       {light.attenuation, " attenuation"}, {light.radius, " radius"},
-        {light.beam_width, " beam_width"}, {light.shadow, " shadow"},           {light.shadow_intensity, " shadow_intensity"},
-        {light.guarded, " switched"}};
-    for (const auto& [set, word] : terms) {
-      if (set) text += word;
-    }
-    append_effects(text, light.effects, scene);
-  }
-  constexpr std::string_view kModes[] = {"modulate", "replace", "add"};
-  constexpr std::string_view kRoles[] = {
-      "", "ambient", "specular", "shininess", "emissive", "occlusion", "metallic_roughness", "normal", "unused"};
-  for (const TextureRecipe& texture : recipe.textures) {
-    if (texture.role != TextureRole::main) {
-      text += fmt::format("; texture {}{}", kRoles[static_cast<std::size_t>(texture.role)], texture.matrix ? " matrix" : "");
-      append_effects(text, texture.effects, scene);
-      continue;
-    }
-    text += fmt::format("; texture {}{}", kModes[static_cast<std::size_t>(texture.mode)], texture.matrix ? " matrix" : "");
-    append_effects(text, texture.effects, scene);
-  }
-  if (!recipe.effects.empty()) {
-    text += "; effects";
-    append_effects(text, recipe.effects, scene);
-  }
-  if (!recipe.guarded.empty()) {
-    text += "; switched";
-    append_effects(text, recipe.guarded, scene);
-  }
-  return text;
 }
 
 }  // namespace plugc

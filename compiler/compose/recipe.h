@@ -29,8 +29,11 @@ struct LightRecipe {
 
 struct TextureRecipe {
   TextureRole role = TextureRole::main;
-  TextureMode mode = TextureMode::modulate;
+  TextureKind kind = TextureKind::image_2d;
+  TextureCombination combination;
+  CoordGenerator generator = CoordGenerator::none;
   bool matrix = false;
+  bool projective = false;  ///< q may differ from 1: the picture is looked up at s/q and t/q.
   std::vector<int> effects;
   auto operator<=>(const TextureRecipe&) const = default;
 };
@@ -65,7 +68,8 @@ struct ShapeFacts {
   bool has_normals = true;
   bool has_colors = false;
   bool solid = true;
-  bool alpha_test = false;  ///< Some texture's alpha is all or nothing, and the shape is not blended.
+  bool alpha_test = false;       ///< Some texture's alpha is all or nothing, and the shape is not blended.
+  std::vector<bool> projective;  ///< By texture of the shape: some vertex has a q other than 1.
   Primitive primitive = Primitive::triangles;
   bool has_fog_coords = false;
   bool has_tangents = false;

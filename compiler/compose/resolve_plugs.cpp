@@ -12,6 +12,7 @@
 #include "compose/placed_unit.h"
 #include "compose/plug_signature.h"
 #include "compose/plug_table.h"
+#include "compose/sampler_type.h"
 
 namespace plugc {
 namespace {
@@ -40,6 +41,7 @@ class PlugResolver {
   CallResult add_call(std::size_t unit, std::size_t function, const MarkerPlace& place);
   void note_only_provider(const PlacedUnit& unit, const std::vector<MarkerPlace>& markers);
   void report_unreached(const PlacedUnit& unit, const FunctionOutline& function);
+  bool report_sampler_kind(const PlacedUnit& unit, const FunctionOutline& function);
   void report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
   const MarkerPlace* find_offer(std::string_view name, ShaderStage stage, bool in_stage) const;
   void report_unknown(const PlacedUnit& unit, const FunctionOutline& function);
@@ -211,8 +213,29 @@ void PlugResolver::report_absent_or_wrong_stage(const PlacedUnit& unit, const Fu
   }
 }
 
+/// What an effect of the texture itself would have to declare; false where that is not what is wrong. An effect that serves
+/// textures of several kinds has a function for each.
+bool PlugResolver::report_sampler_kind(const PlacedUnit& unit, const FunctionOutline& function) {
+  const bool samples = unit.stage == ShaderStage::fragment && plug_name(function.name) == "texture_color";
+  if (!samples || unit.scope.kind != ScopeKind::texture) return false;
+  const TextureKind kind = c_.recipe.textures[static_cast<std::size_t>(unit.scope.number)].kind;
+  const auto fits = [&](const PlacedUnit& other) {
+    return other.owner == unit.owner && other.stage == unit.stage &&
+           std::ranges::any_of(other.code->outline.functions, [&](const FunctionOutline& each) {
+             return each.name == function.name && each.is_definition() && takes_texture(each, sampler_type(kind));
+           });
+  };
+  if (std::ranges::any_of(c_.units, fits)) return true;
+  report(DiagnosticId::sampler_kind, unit, function,
+         kind == TextureKind::shader
+             ? std::string("a `ShaderTexture` has no sampler; leave that parameter out")
+             : fmt::format("this texture is read by a `{0}`; declare `const in {0}` as second parameter", sampler_type(kind)));
+  return true;
+}
+
 /// No marker was reached: tell a name that nobody offers from one that this shape merely has not.
 void PlugResolver::report_unreached(const PlacedUnit& unit, const FunctionOutline& function) {
+  if (report_sampler_kind(unit, function)) return;
   const PlugInfo* plug = find_plug(plug_name(function.name));
   plug == nullptr ? report_unknown(unit, function) : report_absent_or_wrong_stage(unit, function, *plug);
 }

@@ -132,9 +132,10 @@ void HeadWriter::write_declaration(const std::string& name) {
   const bool is_array = varying && stage_ == ShaderStage::geometry && !is_out;
   const Storage storage = meaning->kind == CastleKind::uniform ? Storage::uniform : is_out ? Storage::out : Storage::in;
   const std::string_view word = storage == Storage::uniform ? "uniform" : is_out ? "out" : "in";
+  const std::string_view type = c_.type_of(*meaning);
   head_.append_generated(
-      fmt::format("{} {} {}{};\n", word, meaning->type, name, is_array ? fmt::format("[{}]", c_.geometry.input_size) : ""));
-  declared_.globals[name] = {fmt::format("{} {}", static_cast<int>(storage), meaning->type), {}, 0};
+      fmt::format("{} {} {}{};\n", word, type, name, is_array ? fmt::format("[{}]", c_.geometry.input_size) : ""));
+  declared_.globals[name] = {fmt::format("{} {}", static_cast<int>(storage), type), {}, 0};
 }
 
 /// The switches that some call of the stage stands under.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kJpegSignature = "\xff\xd8\xff";
+constexpr std::string_view kDdsSignature = "DDS ";
 
 // Deflate packs at most 1032:1 and a one-bit image is expanded eightfold; JPEG stays below that.
 constexpr std::size_t kMaxExpansion = 8 * 1032;
@@ -23,7 +24,8 @@ DecodedImage decode_by_content(std::string_view bytes) {
   if (bytes.empty()) return {{}, "the file is empty"};
   if (bytes.starts_with(kPngSignature)) return decode_png(bytes);
   if (bytes.starts_with(kJpegSignature)) return decode_jpeg(bytes);
-  return {{}, "it is neither PNG nor JPEG; convert it to one of them"};
+  if (bytes.starts_with(kDdsSignature)) return decode_dds(bytes);
+  return {{}, "it is none of PNG, JPEG and DDS; convert it to one of them"};
 }
 
 }  // namespace
@@ -37,11 +39,12 @@ std::string size_problem(std::size_t width, std::size_t height, std::size_t chan
   return {};
 }
 
-void allocate(Image& image, std::size_t width, std::size_t height, std::size_t channels) {
+void allocate(Image& image, std::size_t width, std::size_t height, std::size_t channels, std::size_t depth) {
   image.width = static_cast<std::uint32_t>(width);
   image.height = static_cast<std::uint32_t>(height);
+  image.depth = static_cast<std::uint32_t>(depth);
   image.channels = static_cast<std::uint32_t>(channels);
-  image.pixels.resize(width * height * channels);
+  image.pixels.resize(width * height * channels * depth);
 }
 
 std::optional<Image> decode_image(std::string_view bytes, std::string_view name, const Span& span, Diagnostics& diagnostics) {

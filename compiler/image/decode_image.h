@@ -18,12 +18,14 @@ struct DecodedImage {
 
 DecodedImage decode_png(std::string_view bytes);
 DecodedImage decode_jpeg(std::string_view bytes);
+/// Pictures, volumes and cube maps in DirectDraw surfaces of 8 bits a channel. Mipmaps are passed over.
+DecodedImage decode_dds(std::string_view bytes);
 
 /// Why an image of this size must not be allocated for a file of `file_bytes`, or "". No encoder packs pixels so tightly
 /// that a few bytes could stand for gigabytes, so a file that says so is broken or hostile.
 std::string size_problem(std::size_t width, std::size_t height, std::size_t channels, std::size_t file_bytes);
 
 /// Gives the image its size and zeroed pixels.
-void allocate(Image& image, std::size_t width, std::size_t height, std::size_t channels);
+void allocate(Image& image, std::size_t width, std::size_t height, std::size_t channels, std::size_t depth = 1);
 
 }  // namespace plugc

@@ -1,12 +1,16 @@
 // The first url that can be read and decoded counts (X3D 4.1, 9.2.1). A file that several textures name is read once; a
-// `data:` url holds the file itself.
+// `data:` url holds the file itself. A volume or cube map made of textures has pixels when each of them has some.
 
 #include "image/load_images.h"
 
 #include <algorithm>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "base/data_url.h"
+#include "image/join_images.h"
+#include "image/pixel_image.h"
 
 namespace plugc {
 namespace {
@@ -38,14 +42,82 @@ std::shared_ptr<const Image> load_url(const MappedText& url, const std::filesyst
   return loaded[*path] = shared(decode_image(*bytes, url.text(), span, diagnostics));
 }
 
-std::shared_ptr<const Image> load_texture(const NodeGraph& graph, NodeId texture, ImagesByPath& loaded, FileAccess& files,
-                                          Diagnostics& diagnostics) {
-  Diagnostics failures(diagnostics.sources());
-  for (const MappedText& url : graph.field(texture, "url").strings) {
-    if (auto image = load_url(url, graph.base_path(texture), loaded, files, failures)) return image;
+/// What every loading function needs.
+struct Loading {
+  const NodeGraph& graph;
+  ImagesByPath& loaded;
+  FileAccess& files;
+  Diagnostics& diagnostics;
+};
+
+std::shared_ptr<const Image> load_urls(const Loading& l, NodeId texture) {
+  Diagnostics failures(l.diagnostics.sources());
+  for (const MappedText& url : l.graph.field(texture, "url").strings) {
+    if (auto image = load_url(url, l.graph.base_path(texture), l.loaded, l.files, failures)) return image;
   }
-  for (const Diagnostic& failure : failures.all()) diagnostics.report(failure.id, failure.span, failure.message);
+  for (const Diagnostic& failure : failures.all()) l.diagnostics.report(failure.id, failure.span, failure.message);
   return nullptr;
+}
+
+std::shared_ptr<const Image> finish(const Loading& l, NodeId texture, std::string_view field, DecodedImage made) {
+  if (!made.problem.empty()) {
+    l.diagnostics.report(DiagnosticId::image_invalid, l.graph.field_span(texture, field),
+                         fmt::format("this `{}` makes no image: {}", l.graph[texture].info->name, made.problem));
+  }
+  return shared(std::move(made.image));
+}
+
+/// A picture inside of a volume or a cube map: only one in a file or spelled out has pixels.
+std::shared_ptr<const Image> load_picture(const Loading& l, NodeId texture) {
+  if (l.graph.is(texture, "ImageTexture")) return load_urls(l, texture);
+  if (l.graph.is(texture, "PixelTexture"))
+    return finish(l, texture, "image", image_of_pixels(l.graph.field(texture, "image").numbers));
+  if (texture.valid()) {
+    l.diagnostics.report(DiagnosticId::not_drawn, l.graph[texture].type_span,
+                         fmt::format("a `{}` is not drawn inside of another texture", l.graph[texture].info->name));
+  }
+  return nullptr;
+}
+
+/// Null unless all pictures are there; one that lacks has said why.
+std::shared_ptr<const Image> load_joined(const Loading& l, NodeId texture, const std::vector<NodeId>& pictures,
+                                         std::string_view field, DecodedImage (*join)(std::span<const Image* const>)) {
+  std::vector<std::shared_ptr<const Image>> kept;
+  std::vector<const Image*> images;
+  for (const NodeId picture : pictures) {
+    kept.push_back(load_picture(l, picture));
+    images.push_back(kept.back().get());
+  }
+  if (std::ranges::find(images, nullptr) != images.end()) return nullptr;
+  return finish(l, texture, field, join(images));
+}
+
+std::shared_ptr<const Image> load_cube(const Loading& l, NodeId texture) {
+  constexpr std::string_view kFaces[] = {"rightTexture",  "leftTexture", "topTexture",
+                                         "bottomTexture", "backTexture", "frontTexture"};
+  std::vector<NodeId> pictures;
+  for (const std::string_view face : kFaces) {
+    pictures.push_back(l.graph.child(texture, face));
+    if (pictures.back().valid()) continue;
+    return finish(l, texture, face, {{}, fmt::format("it has no `{}`; it needs all six", face)});
+  }
+  return load_joined(l, texture, pictures, "", cube_of_faces);
+}
+
+std::shared_ptr<const Image> load_texture(const Loading& l, NodeId texture) {
+  const NodeGraph& graph = l.graph;
+  if (graph.is(texture, "PixelTexture3D"))
+    return finish(l, texture, "image", volume_of_pixels(graph.field(texture, "image").numbers));
+  if (graph.is(texture, "ComposedCubeMapTexture")) return load_cube(l, texture);
+  if (graph.is(texture, "ComposedTexture3D")) {
+    const auto slices = graph.children(texture, "texture");
+    return load_joined(l, texture, {slices.begin(), slices.end()}, "texture", volume_of_slices);
+  }
+  if (!graph.is(texture, "ImageCubeMapTexture") && !graph.is(texture, "ImageTexture3D")) return load_picture(l, texture);
+  auto image = load_urls(l, texture);
+  if (image == nullptr || graph.is(texture, "ImageTexture3D") || (image->depth == 6 && image->width == image->height))
+    return image;
+  return finish(l, texture, "url", {{}, "the file holds no six faces; a cube map is a DDS file with all of them"});
 }
 
 }  // namespace
@@ -53,17 +125,20 @@ std::shared_ptr<const Image> load_texture(const NodeGraph& graph, NodeId texture
 std::vector<std::shared_ptr<const Image>> load_images(const NodeGraph& graph, const Scene& scene, FileAccess& files,
                                                       Diagnostics& diagnostics) {
   ImagesByPath loaded;
+  const Loading loading{graph, loaded, files, diagnostics};
   std::vector<std::shared_ptr<const Image>> images;
   for (const SceneTexture& texture : scene.textures) {
-    images.push_back(load_texture(graph, texture.node, loaded, files, diagnostics));
+    images.push_back(texture.has_pixels ? load_texture(loading, texture.node) : nullptr);
   }
   return images;
 }
 
 void drop_missing_textures(Scene& scene, const std::vector<std::shared_ptr<const Image>>& images) {
   for (SceneShape& shape : scene.shapes) {
-    std::erase_if(shape.textures,
-                  [&](const TextureUse& use) { return images[static_cast<std::size_t>(use.texture)] == nullptr; });
+    std::erase_if(shape.textures, [&](const TextureUse& use) {
+      const auto index = static_cast<std::size_t>(use.texture);
+      return scene.textures[index].has_pixels && images[index] == nullptr;
+    });
   }
 }
 

@@ -11,11 +11,11 @@
 
 namespace plugc {
 
-/// By texture of the scene; null where none of its urls can be used (reported).
+/// By texture of the scene; null where it has no pixels (SceneTexture::has_pixels), or none of its urls can be used (reported).
 std::vector<std::shared_ptr<const Image>> load_images(const NodeGraph& graph, const Scene& scene, FileAccess& files,
                                                       Diagnostics& diagnostics);
 
-/// Shapes are drawn without the textures that have no image.
+/// Shapes are drawn without the textures whose image failed.
 void drop_missing_textures(Scene& scene, const std::vector<std::shared_ptr<const Image>>& images);
 
 }  // namespace plugc

@@ -33,4 +33,19 @@ std::vector<glm::vec4> box_texture(std::span<const glm::vec3> points) {
   return result;
 }
 
+std::vector<glm::vec4> box_texture_3d(std::span<const glm::vec3> points) {
+  const Box3 box = box_of(points);
+  const glm::vec3 size = box.high - box.low;
+  std::vector<glm::vec4> result;
+  result.reserve(points.size());
+  for (const glm::vec3& point : points) {
+    glm::vec4 coord{0, 0, 0, 1};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (size[axis] > 0) coord[axis] = (axis == 2 ? box.high[axis] - point[axis] : point[axis] - box.low[axis]) / size[axis];
+    }
+    result.push_back(coord);
+  }
+  return result;
+}
+
 }  // namespace plugc

@@ -19,4 +19,8 @@ Box3 box_of(std::span<const glm::vec3> points);
 /// before y and y before z (X3D 4.1, 13.3.6 IndexedFaceSet).
 std::vector<glm::vec4> box_texture(std::span<const glm::vec3> points);
 
+/// S, T and R run from 0 to 1 along x, y and -z of the box (X3D 4.1, 33.2.4; R as in the reference engine: the first slice of
+/// a volume is in front).
+std::vector<glm::vec4> box_texture_3d(std::span<const glm::vec3> points);
+
 }  // namespace plugc

@@ -34,7 +34,7 @@ class Assembler {
   SourceList sources_;
   std::map<std::string, std::uint32_t> programs_;  // by content
   std::map<const Image*, std::uint32_t> images_;
-  std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;  // by image and wrapping
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;  // by image, wrapping and filters
 };
 
 std::uint32_t Assembler::add_program(const ValidRecipe& recipe, const std::string& name) {
@@ -48,8 +48,8 @@ std::uint32_t Assembler::add_program(const ValidRecipe& recipe, const std::strin
 std::uint32_t Assembler::add_image(const std::shared_ptr<const Image>& image) {
   if (const auto found = images_.find(image.get()); found != images_.end()) return found->second;
   const auto same = std::find_if(package_.images.begin(), package_.images.end(), [&](const auto& packed) {
-    return packed->width == image->width && packed->height == image->height && packed->channels == image->channels &&
-           packed->pixels == image->pixels;
+    return packed->width == image->width && packed->height == image->height && packed->depth == image->depth &&
+           packed->channels == image->channels && packed->pixels == image->pixels;
   });
   const auto index = static_cast<std::uint32_t>(same - package_.images.begin());
   if (same == package_.images.end()) package_.images.push_back(pack_image(*image));
@@ -62,9 +62,16 @@ std::uint32_t Assembler::add_texture(const SceneTexture& texture, const std::sha
   packed->image = add_image(image);
   packed->wrap_s = static_cast<PackedWrap>(texture.wrap_s);
   packed->wrap_t = static_cast<PackedWrap>(texture.wrap_t);
-  const int wraps = static_cast<int>(texture.wrap_s) * 4 + static_cast<int>(texture.wrap_t);
+  packed->minification = static_cast<PackedFilter>(texture.minification);
+  packed->magnification = static_cast<PackedFilter>(texture.magnification);
+  packed->wrap_r = static_cast<PackedWrap>(texture.wrap_r);
+  int settings = 0;
+  for (const int setting :
+       {static_cast<int>(texture.wrap_s), static_cast<int>(texture.wrap_t), static_cast<int>(texture.wrap_r),
+        static_cast<int>(texture.minification), static_cast<int>(texture.magnification)})
+    settings = settings * 4 + setting;
   const auto [found, added] =
-      textures_.try_emplace({packed->image, wraps}, static_cast<std::uint32_t>(package_.textures.size()));
+      textures_.try_emplace({packed->image, settings}, static_cast<std::uint32_t>(package_.textures.size()));
   if (added) package_.textures.push_back(std::move(packed));
   return found->second;
 }
@@ -282,6 +289,7 @@ void Assembler::add_scene(SceneParts& parts) {
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
   for (const SceneShadowMap& map : scene.shadow_maps) packed->shadow_maps.push_back(pack_shadow_map(map));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
+  for (const SceneProjector& projector : scene.projectors) packed->projectors.push_back(pack_viewpoint(projector.viewpoint));
 
   std::vector<std::uint32_t> programs;
   for (std::size_t i = 0; i < parts.programs.size(); ++i)

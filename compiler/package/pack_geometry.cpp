@@ -88,7 +88,7 @@ std::unique_ptr<PackedImageT> pack_image(const Image& image) {
   auto packed = std::make_unique<PackedImageT>();
   packed->width = image.width;
   packed->height = image.height;
-  packed->depth = 1;
+  packed->depth = image.depth;
   packed->channels = static_cast<std::uint8_t>(image.channels);
   packed->pixels = image.pixels;
   return packed;

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "compose/castle_names.h"
 #include "compose/check_fields.h"
+#include "compose/sampler_type.h"
 
 namespace plugc {
 namespace {
@@ -95,7 +96,12 @@ class Binder {
   void bind_shadow(std::uint32_t index, PackedSource source, int number);
   void bind_material(std::uint32_t index, CastleSource source);
   void bind_fog(std::uint32_t index, CastleSource source);
-  void bind_texture(std::uint32_t index, int texture);
+  void bind_texture(std::uint32_t index, int texture, std::uint32_t element = 0);
+  bool reads(std::string_view sampler, int texture) const {
+    return sampler_type(c_.scene.textures[static_cast<std::size_t>(texture)].kind) == sampler;
+  }
+  void bind_texture_matrix(std::uint32_t index, int transform);
+  void bind_projector(std::uint32_t index, int projector);
   void add(std::uint32_t index, PackedSource source, std::uint32_t a = 0, std::uint32_t b = 0, float scale = 1) {
     bindings_.emplace_back(index, a, b, scale, source);
   }
@@ -110,24 +116,43 @@ class Binder {
   std::vector<PackedBinding> bindings_;
 };
 
-void Binder::bind_texture(std::uint32_t index, int texture) {
+void Binder::bind_texture(std::uint32_t index, int texture, std::uint32_t element) {
   if (texture < 0) return;
+  const int map = c_.scene.textures[static_cast<std::size_t>(texture)].shadow_map;
+  if (map >= 0) return add(index, PackedSource::shadow_map, static_cast<std::uint32_t>(map), element);
   const std::uint32_t packed = c_.package_textures[static_cast<std::size_t>(texture)];
-  if (packed != kNothing) add(index, PackedSource::texture, packed);
+  if (packed != kNothing) add(index, PackedSource::texture, packed, element);
+}
+
+void Binder::bind_texture_matrix(std::uint32_t index, int transform) {
+  if (transform < 0) return;
+  const std::uint32_t matrix = c_.scene.texture_transforms[static_cast<std::size_t>(transform)].matrix;
+  if (matrix != kSceneNoSlot) return add(index, PackedSource::slot, matrix);
+  add(index, PackedSource::texture_matrix, static_cast<std::uint32_t>(transform));
+}
+
+void Binder::bind_projector(std::uint32_t index, int projector) {
+  if (projector < 0) return;
+  const SceneProjector& found = c_.scene.projectors[static_cast<std::size_t>(projector)];
+  if (found.shadow_map >= 0) return add(index, PackedSource::projector_matrix, static_cast<std::uint32_t>(found.shadow_map));
+  if (found.viewpoint.node.valid()) add(index, PackedSource::viewpoint_projector_matrix, static_cast<std::uint32_t>(projector));
 }
 
 void Binder::bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& fed) {
-  const bool sampler = uniform.type.find("sampler") != std::string::npos;
+  const bool sampler = is_sampler(uniform.type);
   if (fed.field < 0) {
     // a sampler that nothing feeds sees unit 0, as an unset sampler uniform does in OpenGL
-    if (sampler && fed.of_shader && !c_.shape.textures.empty()) bind_texture(index, c_.shape.textures.front().texture);
+    const auto& used = c_.shape.textures;
+    const bool fits = sampler && fed.of_shader && !used.empty() && reads(uniform.type, used.front().texture);
+    if (fits) bind_texture(index, used.front().texture);
     return;
   }
   const auto& owners = fed.of_shader ? c_.scene.shaders : c_.scene.effects;
   const ShaderField& field = owners[static_cast<std::size_t>(fed.owner)].fields[static_cast<std::size_t>(fed.field)];
-  if (!feeds(field, uniform.type)) return;  // reported by check_fields
+  if (!feeds(c_.scene, field, uniform.type)) return;  // reported by check_fields
   if (sampler) {
-    if (!field.textures.empty()) bind_texture(index, field.textures.front());
+    const std::size_t count = std::min<std::size_t>(field.textures.size(), uniform.count);
+    for (std::size_t i = 0; i < count; ++i) bind_texture(index, field.textures[i], static_cast<std::uint32_t>(i));
   } else if (field.slot != kSceneNoSlot) {
     add(index, PackedSource::slot, field.slot);
   }
@@ -204,9 +229,13 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::fog_visibility_range: return bind_fog(index, name.source);
     case CastleSource::global_ambient: return add(index, PackedSource::slot, c_.scene.global_ambient);
     case CastleSource::texture: return bind_texture(index, use.texture);
-    case CastleSource::texture_matrix:
-      if (use.transform >= 0) add(index, PackedSource::texture_matrix, static_cast<std::uint32_t>(use.transform));
+    case CastleSource::texture_matrix: return bind_texture_matrix(index, use.transform);
+    case CastleSource::texture_coord_parameter:
+      if (use.parameter != kSceneNoSlot) add(index, PackedSource::slot, use.parameter);
       return;
+    case CastleSource::texture_projector: return bind_projector(index, use.projector);
+    case CastleSource::multi_texture_color:
+      return add(index, PackedSource::color_and_alpha, c_.shape.multi_color, c_.shape.multi_alpha);
     default: return bind_material(index, name.source);
   }
 }

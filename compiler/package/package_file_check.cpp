@@ -185,7 +185,7 @@ bool check_image(PackageCheck& check, const PackedImage& image, const Place& pla
 }
 
 bool check_texture(PackageCheck& check, const PackedTexture& texture, const Place& place) {
-  if (!is_enumerator(texture.wrap_s()) || !is_enumerator(texture.wrap_t()))
+  if (!is_enumerator(texture.wrap_s()) || !is_enumerator(texture.wrap_t()) || !is_enumerator(texture.wrap_r()))
     return check.fail(place, "its wrap mode is unknown");
   // Only minification may use mipmaps.
   const bool good_filters = is_enumerator(texture.minification()) && texture.magnification() <= PackedFilter::linear;
@@ -287,15 +287,21 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
       return scene.present_slot(place, "a", binding.a(), component_count(uniform.type())) &&
              scene.slot(place, "b", binding.b(), 1);
     case PackedSource::color_and_transparency:
-      return scene.slot(place, "a", binding.a(), 3) && scene.slot(place, "b", binding.b(), 1);
+    case PackedSource::color_and_alpha: return scene.slot(place, "a", binding.a(), 3) && scene.slot(place, "b", binding.b(), 1);
     case PackedSource::shadow_intensity: return scene.slot(place, "a", binding.a(), 1);
-    case PackedSource::texture: return check.require_index(place, "texture", binding.a(), check.package.textures()->size());
+    case PackedSource::texture:
+      return check.require_index(place, "texture", binding.a(), check.package.textures()->size()) &&
+             check.require_index(place, "element", binding.b(), uniform.count());
     case PackedSource::fog_visibility_range:
       return scene.present_slot(place, "a", binding.a(), 1) &&
              check.require_index(place, "transform", binding.b(), scene.scene.transforms()->size() + 1);
     case PackedSource::texture_matrix:
       return check.require_index(place, "texture transform", binding.a(), scene.scene.texture_transforms()->size());
+    case PackedSource::viewpoint_projector_matrix:
+      return check.require_index(place, "projector", binding.a(), scene.scene.projectors()->size());
     case PackedSource::shadow_map:
+      return check.require_index(place, "shadow map", binding.a(), scene.scene.shadow_maps()->size()) &&
+             check.require_index(place, "element", binding.b(), uniform.count());
     case PackedSource::projector_matrix:
     case PackedSource::light_view_projection_matrix:
       return check.require_index(place, "shadow map", binding.a(), scene.scene.shadow_maps()->size());
@@ -416,6 +422,9 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
                     [&](const PackedShape* shape, const Place& at) { return check_shape(scene, *shape, at); }) &&
          check.each(
              &place, "viewpoint", *packed.viewpoints(),
+             [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
+         check.each(
+             &place, "projector", *packed.projectors(),
              [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
          scene.slot(place, "background color", packed.background_color(), 3);
 }

@@ -110,8 +110,8 @@ void dump_image(Text& text, const PackedImage& image, std::size_t index) {
 }
 
 void dump_texture(Text& text, const PackedTexture& texture, std::size_t index) {
-  line(text, "texture {}: image {}, wrap {} {}, filter {} {}", index, texture.image(), EnumNamePackedWrap(texture.wrap_s()),
-       EnumNamePackedWrap(texture.wrap_t()), EnumNamePackedFilter(texture.minification()),
+  line(text, "texture {}: image {}, wrap {} {} {}, filter {} {}", index, texture.image(), EnumNamePackedWrap(texture.wrap_s()),
+       EnumNamePackedWrap(texture.wrap_t()), EnumNamePackedWrap(texture.wrap_r()), EnumNamePackedFilter(texture.minification()),
        EnumNamePackedFilter(texture.magnification()));
 }
 
@@ -204,8 +204,8 @@ void dump_shape(Text& text, const Package& package, const PackedShape& shape, st
   dump_states(text, package, shape);
 }
 
-void dump_viewpoint(Text& text, const PackedViewpoint& viewpoint, std::size_t index) {
-  line(text, "  viewpoint {} {} {}: transform {}{}", index, quoted(*viewpoint.name()), quoted(*viewpoint.description()),
+void dump_viewpoint(Text& text, const char* word, const PackedViewpoint& viewpoint, std::size_t index) {
+  line(text, "  {} {} {} {}: transform {}{}", word, index, quoted(*viewpoint.name()), quoted(*viewpoint.description()),
        viewpoint.transform(), viewpoint.orthographic() ? ", orthographic" : "");
   line(text, "    slots: position {}, orientation {}, field of view {}", slot(viewpoint.position()),
        slot(viewpoint.orientation()), slot(viewpoint.field_of_view()));
@@ -225,7 +225,10 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   each(*scene.texture_transforms(),
        [&](const PackedTextureTransform& transform, std::size_t i) { dump_texture_transform(text, transform, i); });
   each(*scene.shapes(), [&](const PackedShape& shape, std::size_t i) { dump_shape(text, package, shape, i); });
-  each(*scene.viewpoints(), [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, viewpoint, i); });
+  each(*scene.viewpoints(),
+       [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "viewpoint", viewpoint, i); });
+  each(*scene.projectors(),
+       [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "projector", viewpoint, i); });
 }
 
 }  // namespace

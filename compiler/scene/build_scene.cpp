@@ -64,6 +64,7 @@ class SceneWalk {
       if (shape.fog == kBoundFog) shape.fog = bound_fog_.value_or(-1);
     }
     finish_lights(context_, receives_);
+    finish_projections(context_);
   }
 
  private:
@@ -75,7 +76,6 @@ class SceneWalk {
   void visit_switch(NodeId node);
   void visit_transform(NodeId node);
   void visit_shape(NodeId node);
-  void visit_viewpoint(NodeId node);
   void visit_bindable(NodeId node);
   void add_global_lights(SceneShape& shape);
   void add_unreached_effects();
@@ -246,6 +246,7 @@ void SceneWalk::visit_shape(NodeId node) {
   shape.shading = read_shading(context_, node);
   const NodeId appearance = graph_.child(node, "appearance");
   read_appearance(context_, appearance, shape);
+  read_texture_coordinates(context_, shape);
   shape.effects.insert(shape.effects.end(), effects_.begin(), effects_.end());
   shape.casts_shadow = shape.casts_shadow && graph_.boolean(node, "castShadow");
   std::vector<NodeId> named;
@@ -257,21 +258,9 @@ void SceneWalk::visit_shape(NodeId node) {
   context_.scene.shapes.push_back(std::move(shape));
 }
 
-void SceneWalk::visit_viewpoint(NodeId node) {
-  SceneViewpoint viewpoint;
-  viewpoint.name = graph_[node].def;
-  viewpoint.description = graph_.string(node, "description");
-  viewpoint.transform = transform_;
-  viewpoint.orthographic = graph_.is(node, "OrthoViewpoint");
-  viewpoint.position = context_.slots.slot(node, "position");
-  viewpoint.orientation = context_.slots.slot(node, "orientation");
-  viewpoint.field_of_view = context_.slots.slot(node, "fieldOfView");
-  context_.scene.viewpoints.push_back(std::move(viewpoint));
-}
-
 void SceneWalk::visit_bindable(NodeId node) {
   if (graph_.is(node, "Viewpoint") || graph_.is(node, "OrthoViewpoint")) {
-    visit_viewpoint(node);
+    context_.scene.viewpoints.push_back(read_viewpoint(context_, node, transform_));
   } else if (graph_.is(node, "X3DBackgroundNode") && !has_background_) {
     has_background_ = true;
     context_.scene.background_color = context_.slots.slot(node, "skyColor");
@@ -324,6 +313,19 @@ void add_dynamic_slots(SceneContext& context) {
 }
 
 }  // namespace
+
+SceneViewpoint read_viewpoint(SceneContext& context, NodeId node, int transform) {
+  SceneViewpoint viewpoint;
+  viewpoint.node = node;
+  viewpoint.name = context.graph[node].def;
+  viewpoint.description = context.graph.string(node, "description");
+  viewpoint.transform = transform;
+  viewpoint.orthographic = context.graph.is(node, "OrthoViewpoint");
+  viewpoint.position = context.slots.slot(node, "position");
+  viewpoint.orientation = context.slots.slot(node, "orientation");
+  viewpoint.field_of_view = context.slots.slot(node, "fieldOfView");
+  return viewpoint;
+}
 
 Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files, const SceneOptions& options,
                   Diagnostics& diagnostics) {

@@ -75,20 +75,80 @@ struct SceneEffect {
 /// A ComposedShader; the same shape as an effect, but it replaces the base shader.
 using SceneShader = SceneEffect;
 
-enum class TextureKind : std::uint8_t { image_2d };
-enum class TextureMode : std::uint8_t { modulate, replace, add };
-enum class Wrap : std::uint8_t { repeat, clamp_to_edge };
+/// What reads a texture in GLSL: a sampler of that kind. A ShaderTexture is code alone and has none.
+enum class TextureKind : std::uint8_t { image_2d, image_3d, cube, shadow_2d, shader };
+enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
+
+enum class TextureFilter : std::uint8_t { nearest, linear, linear_mipmap_linear, nearest_mipmap_nearest };
+
+/// Texture coordinates that a mesh can hold: its own (as written, or its type's default), or a picture laid over the
+/// object's box, along its two longest sides or along all three.
+enum class VertexCoord : std::uint8_t { own, bounds_2d, bounds_3d };
 
 struct SceneTexture {
   TextureKind kind = TextureKind::image_2d;
   NodeId node;
-  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
+  bool has_pixels = true;  ///< False: no image feeds its sampler (ShaderTexture, or a node that is not drawn yet).
+  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat, wrap_r = Wrap::repeat;
+  TextureFilter minification = TextureFilter::linear_mipmap_linear, magnification = TextureFilter::linear;
+  VertexCoord default_coord = VertexCoord::own;  ///< Where the geometry says nothing.
+  int shadow_map = -1;                           ///< Of a GeneratedShadowMap: what it reads.
   std::vector<int> effects;
 };
 
-/// Texture coordinates of one unit: X3D 4.1 clause 18.4.8. Slots.
+/// Texture coordinates of one unit: X3D 4.1 clauses 18.4.8 and 33.4. Slots; `matrix` stands for all others.
 struct SceneTextureTransform {
   std::uint32_t translation = kSceneNoSlot, rotation = kSceneNoSlot, scale = kSceneNoSlot, center = kSceneNoSlot;
+  std::uint32_t matrix = kSceneNoSlot;
+};
+
+/// What MultiTexture makes of a texture (Arg1) and the colour so far (Arg2): X3D 4.1, table 18.3. SELECTARG1 is `replace`;
+/// a texture that is OFF is in no list.
+enum class TextureMode : std::uint8_t {
+  modulate,
+  replace,
+  modulate_2x,
+  modulate_4x,
+  add,
+  add_signed,
+  add_signed_2x,
+  subtract,
+  add_smooth,
+  blend_diffuse_alpha,
+  blend_texture_alpha,
+  blend_factor_alpha,
+  blend_current_alpha,
+  modulate_alpha_add_color,
+  modulate_inv_alpha_add_color,
+  modulate_inv_color_add_alpha,
+  select_arg2,
+  dot_product_3
+};
+/// What stands for Arg2 (table 18.4), and what is done with the result (table 18.5).
+enum class TextureSource : std::uint8_t { previous, diffuse, specular, factor };
+enum class TextureFunction : std::uint8_t { none, complement, alpha_replicate };
+
+struct TextureCombination {
+  TextureMode mode = TextureMode::modulate, alpha_mode = TextureMode::modulate;
+  TextureSource source = TextureSource::previous;
+  TextureFunction function = TextureFunction::none;
+  auto operator<=>(const TextureCombination&) const = default;
+};
+
+/// Texture coordinates that the vertex stage computes: X3D 4.1, table 18.6, and the engine's modes beside it.
+enum class CoordGenerator : std::uint8_t {
+  none,
+  sphere,
+  camera_space_normal,
+  camera_space_position,
+  camera_space_reflection,
+  sphere_local,
+  coord,
+  sphere_reflect,
+  sphere_reflect_local,
+  world_space_normal,
+  world_space_reflection,
+  projection
 };
 
 /// What a material does with a texture (X3D 4.1, 12.4). The main ones make the diffuse, base or emissive colour; each other
@@ -108,9 +168,13 @@ enum class TextureRole : std::uint8_t {
 /// One texture as a shape's material uses it. Its number is its place in the shape's list.
 struct TextureUse {
   int texture = -1;
-  TextureMode mode = TextureMode::modulate;
-  int transform = -1;  ///< Into texture_transforms.
-  int unit = 0;        ///< Texture coordinate unit of the geometry.
+  TextureCombination combination;
+  int transform = -1;                    ///< Into texture_transforms.
+  int unit = 0;                          ///< Texture coordinate unit of the geometry.
+  VertexCoord coord = VertexCoord::own;  ///< What the mesh holds for it.
+  CoordGenerator generator = CoordGenerator::none;
+  std::uint32_t parameter = kSceneNoSlot;  ///< Of the generator: index of refraction, eye point (vec4).
+  int projector = -1;                      ///< Of `projection`: into projectors.
   TextureRole role = TextureRole::main;
 };
 
@@ -193,10 +257,11 @@ struct SceneShape {
   int transform = -1;
   int material = -1;  ///< -1: unlit white.
   std::vector<TextureUse> textures;
-  std::vector<int> lights;    ///< In document order of the scene's light list.
-  std::vector<int> receives;  ///< Lights whose shadow this shape shows.
-  std::vector<int> effects;   ///< Of the Appearance, then of the groups from the outermost in.
-  int shader = -1;            ///< A ComposedShader.
+  std::uint32_t multi_color = kSceneNoSlot, multi_alpha = kSceneNoSlot;  ///< Of its MultiTexture: the source FACTOR.
+  std::vector<int> lights;                                               ///< In document order of the scene's light list.
+  std::vector<int> receives;                                             ///< Lights whose shadow this shape shows.
+  std::vector<int> effects;  ///< Of the Appearance, then of the groups from the outermost in.
+  int shader = -1;           ///< A ComposedShader.
   int fog = -1;
   Shading shading = Shading::phong;
   bool casts_shadow = true;
@@ -205,10 +270,17 @@ struct SceneShape {
 };
 
 struct SceneViewpoint {
+  NodeId node;
   std::string name, description;
   int transform = -1;
   bool orthographic = false;
   std::uint32_t position = kSceneNoSlot, orientation = kSceneNoSlot, field_of_view = kSceneNoSlot;
+};
+
+/// What projects texture coordinates: a viewpoint, which need not stand among those to look through, or a light.
+struct SceneProjector {
+  SceneViewpoint viewpoint;
+  int shadow_map = -1;  ///< Of a light: the map whose projection it is; such a map may have no texels (update none).
 };
 
 struct Scene {
@@ -225,6 +297,7 @@ struct Scene {
   std::vector<SceneFog> fogs;
   std::vector<SceneShape> shapes;
   std::vector<SceneViewpoint> viewpoints;
+  std::vector<SceneProjector> projectors;
   std::vector<std::string> known_dynamic;  ///< Of SceneOptions::dynamic: what names a node of this scene.
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.

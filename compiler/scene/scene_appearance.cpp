@@ -1,4 +1,4 @@
-// Appearance, materials, textures, effects and shader nodes as plain data. A node is turned once, however often it is USEd.
+// Appearance, materials, effects and shader nodes as plain data. A node is turned once, however often it is USEd.
 
 #include <algorithm>
 #include <array>
@@ -89,47 +89,6 @@ std::vector<std::string> read_libraries(SceneContext& context, NodeId effect) {
         fmt::format("there is no library `{}`; plugc has `{}`", url.text(), fmt::join(kLibraries, "`, `")));
   }
   return libraries;
-}
-
-Wrap read_wrap(const NodeGraph& graph, NodeId texture, std::string_view field) {
-  return graph.boolean(texture, field) ? Wrap::repeat : Wrap::clamp_to_edge;
-}
-
-TextureMode read_mode(SceneContext& context, NodeId multi_texture, std::size_t index) {
-  const auto modes = context.graph.field(multi_texture, "mode").strings;
-  if (index >= modes.size()) return TextureMode::modulate;
-  const std::string_view mode = modes[index].text();
-  if (mode == "MODULATE") return TextureMode::modulate;
-  if (mode == "REPLACE" || mode == "SELECTARG1") return TextureMode::replace;
-  if (mode == "ADD") return TextureMode::add;
-  context.diagnostics.report(DiagnosticId::not_drawn, modes[index].locate(0, modes[index].size()),
-                             fmt::format("texture mode `{}` is drawn as `MODULATE`", mode));
-  return TextureMode::modulate;
-}
-
-int texture_transform_index(SceneContext& context, NodeId node) {
-  if (!context.graph.is(node, "TextureTransform")) return -1;
-  const auto [found, added] =
-      context.texture_transforms.try_emplace(node, static_cast<int>(context.scene.texture_transforms.size()));
-  if (added) {
-    SlotTable& slots = context.slots;
-    context.scene.texture_transforms.push_back(
-        {slots.slot(node, "translation"), slots.slot(node, "rotation"), slots.slot(node, "scale"), slots.slot(node, "center")});
-  }
-  return found->second;
-}
-
-void read_textures(SceneContext& context, NodeId texture, NodeId transform, SceneShape& shape) {
-  const NodeGraph& graph = context.graph;
-  const bool multi = graph.is(texture, "MultiTexture");
-  const std::vector<NodeId> single = {texture};
-  const auto list = multi ? graph.children(texture, "texture") : std::span<const NodeId>(single);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const int index = texture_index(context, list[i]);
-    if (index < 0) continue;
-    const TextureMode mode = multi ? read_mode(context, texture, i) : TextureMode::modulate;
-    shape.textures.push_back({index, mode, unit_transform(context, transform, i), static_cast<int>(i)});
-  }
 }
 
 /// The field of a material that the main texture multiplies (X3D 4.1, clause 12.4).
@@ -276,33 +235,6 @@ int shader_index(SceneContext& context, NodeId node) {
   if (!is_glsl(context, node, "a shader")) return -1;
   context.scene.shaders.push_back(read_shader_node(context, node));
   return index = static_cast<int>(context.scene.shaders.size() - 1);
-}
-
-/// The transform of one texture unit: TextureTransform serves the first unit, MultiTextureTransform each its own.
-int unit_transform(SceneContext& context, NodeId transform, std::size_t unit) {
-  const NodeGraph& graph = context.graph;
-  if (!graph.is(transform, "MultiTextureTransform")) return unit == 0 ? texture_transform_index(context, transform) : -1;
-  const auto list = graph.children(transform, "textureTransform");
-  return unit < list.size() ? texture_transform_index(context, list[unit]) : -1;
-}
-
-int texture_index(SceneContext& context, NodeId node) {
-  if (!node.valid()) return -1;
-  if (const auto found = context.textures.find(node); found != context.textures.end()) return found->second;
-  int& index = context.textures[node] = -1;
-  if (!context.graph.is(node, "ImageTexture")) {
-    context.diagnostics.report(
-        DiagnosticId::not_drawn, context.graph[node].type_span,
-        fmt::format("a `{}` is not drawn yet; the shape is drawn without it", context.graph[node].info->name));
-    return -1;
-  }
-  SceneTexture texture;
-  texture.node = node;
-  texture.wrap_s = read_wrap(context.graph, node, "repeatS");
-  texture.wrap_t = read_wrap(context.graph, node, "repeatT");
-  texture.effects = effect_list(context, node);
-  context.scene.textures.push_back(std::move(texture));
-  return index = static_cast<int>(context.scene.textures.size() - 1);
 }
 
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape) {

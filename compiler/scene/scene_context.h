@@ -1,6 +1,6 @@
 #pragma once
-// What the passes that build a Scene share. Internal to the scene room: build_scene.cpp walks the tree, scene_lights.cpp
-// and scene_appearance.cpp turn single nodes into plain data.
+// What the passes that build a Scene share. Internal to the scene room: build_scene.cpp walks the tree, scene_lights.cpp,
+// scene_appearance.cpp and scene_textures.cpp turn single nodes into plain data.
 
 #include <map>
 #include <vector>
@@ -29,7 +29,7 @@ struct SceneContext {
   Scene scene;
   std::vector<DynamicField> dynamic;
   SlotTable slots;
-  std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials;  ///< -1: takes no part.
+  std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
 };
 
 /// A node's DEF name, or its type.
@@ -40,13 +40,20 @@ int effect_index(SceneContext& context, NodeId effect);
 /// The `effects` field of an Appearance, a light or a texture.
 std::vector<int> effect_list(SceneContext& context, NodeId owner);
 int shader_index(SceneContext& context, NodeId shader);
+/// A texture that a sampler reads or that is code; -1 for NULL, MultiTexture and what is no texture (reported).
 int texture_index(SceneContext& context, NodeId texture);
-/// The transform of a unit's coordinates in a TextureTransform or MultiTextureTransform; -1 for none.
+/// The transform of a unit's coordinates: a single node serves the first unit, MultiTextureTransform each its own; -1 for none.
 int unit_transform(SceneContext& context, NodeId transform, std::size_t unit);
 /// The unit of a geometry's coordinates that a material's `...TextureMapping` names (X3D 4.1, 12.4.2); the first without one.
 int coordinate_unit(const NodeGraph& graph, NodeId geometry, std::string_view mapping);
 /// Adds the material's textures beside its main ones.
 void read_material_textures(SceneContext& context, NodeId material, NodeId transform, SceneShape& shape);
+/// What a MultiTexture says of its texture of that index; nullopt for one that is OFF.
+std::optional<TextureCombination> read_combination(const NodeGraph& graph, NodeId multi_texture, std::size_t index);
+/// The textures of a shape's material: `texture` may be a MultiTexture, `transform` a MultiTextureTransform.
+void read_textures(SceneContext& context, NodeId texture, NodeId transform, SceneShape& shape);
+/// Where the coordinates of the shape's textures come from; after its textures and geometry are known.
+void read_texture_coordinates(SceneContext& context, SceneShape& shape);
 
 /// Fills what the Appearance says: material, textures, effects, shader, blending.
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape);
@@ -54,10 +61,24 @@ void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape
 /// A Fog or LocalFog where it stands; -1 when its visibilityRange says that there is none.
 int add_fog(SceneContext& context, NodeId fog, int transform);
 
+/// A viewpoint where it stands.
+SceneViewpoint read_viewpoint(SceneContext& context, NodeId viewpoint, int transform);
+
+/// What ProjectedTextureCoordinate names; -1 for a node that cannot project. Filled by finish_projections().
+int projector_index(SceneContext& context, NodeId projector);
+/// Once the lights are finished: finds where projectors stand and which maps GeneratedShadowMap textures read. A texture whose
+/// light shines on its shape becomes that light's shadow there.
+void finish_projections(SceneContext& context);
+
 /// A light where it stands; its index in context.scene.lights.
 int add_light(SceneContext& context, NodeId light, int transform);
 /// The light that NavigationInfo puts on the camera, if any.
 void add_headlight(SceneContext& context, NodeId navigation_info);
+/// The projection of a light's map, made if it has none yet; -1 for a light that cannot have one (reported).
+int projection_of_light(SceneContext& context, int light);
+/// The map of that light: as a GeneratedShadowMap node describes it, unless it has one already; -1 when it is never drawn
+/// (reported).
+int shadow_map_of_node(SceneContext& context, NodeId map, int light);
 /// Numbers lights as effects do, resolves who shadows whom, and makes the shadow maps that some shape looks into.
 /// `receives` holds for each shape the light nodes that its Appearance names.
 void finish_lights(SceneContext& context, const std::vector<std::vector<NodeId>>& receives);

@@ -61,40 +61,52 @@ void report_never_drawn(SceneContext& context, NodeId map) {
       "a shadow map with `update \"NONE\"` is never drawn, so this light casts no shadow; write `update \"ALWAYS\"`");
 }
 
-/// The map of a light that some shape receives; -1 when it has none that can be drawn.
-int make_shadow_map(SceneContext& context, int light_index) {
-  const SceneLight& light = context.scene.lights[static_cast<std::size_t>(light_index)];
+/// False, with a message, for a light that has no map.
+bool can_have_map(SceneContext& context, const SceneLight& light) {
+  if (!light.node.valid() || light.headlight) return false;
+  if (light.kind != LightKind::point) return true;
+  context.diagnostics.report(DiagnosticId::shadow_unsupported, context.graph[light.node].type_span,
+                             "a `PointLight` casts no shadow yet; use a `SpotLight` where the shadow matters");
+  return false;
+}
+
+/// What a GeneratedShadowMap node says; false when such a map is never drawn.
+bool read_written_map(SceneContext& context, NodeId written, SceneShadowMap& map) {
   const NodeGraph& graph = context.graph;
-  if (!light.node.valid() || light.headlight) return -1;
-  if (light.kind == LightKind::point) {
-    context.diagnostics.report(DiagnosticId::shadow_unsupported, graph[light.node].type_span,
-                               "a `PointLight` casts no shadow yet; use a `SpotLight` where the shadow matters");
-    return -1;
+  map.update = read_update(context, written);
+  if (map.update == ShadowUpdate::none) {
+    if (graph.string(written, "update") == "NONE") report_never_drawn(context, written);
+    return false;
   }
+  const int size = graph.integer(written, "size");
+  map.size = static_cast<std::uint32_t>(std::clamp(size, 1, static_cast<int>(kMaxShadowMapSide)));
+  if (size > static_cast<int>(map.size)) {
+    context.diagnostics.report(DiagnosticId::field_range, graph.field_span(written, "size"),
+                               fmt::format("a shadow map of size {} cannot be; {} is used", size, map.size));
+  }
+  map.scale = context.slots.slot(written, "scale");
+  map.bias = context.slots.slot(written, "bias");
+  return true;
+}
+
+/// The map of a light as `written` says, or as nobody says; its index, or -1.
+int add_shadow_map(SceneContext& context, int light_index, NodeId written) {
+  const SceneLight& light = context.scene.lights[static_cast<std::size_t>(light_index)];
+  if (!can_have_map(context, light)) return -1;
   SceneShadowMap map;
   map.light = light_index;
-  const NodeId written = graph.child(light.node, "defaultShadowMap");
-  if (written.valid()) {
-    map.update = read_update(context, written);
-    if (map.update == ShadowUpdate::none) {
-      if (graph.string(written, "update") == "NONE") report_never_drawn(context, written);
-      return -1;
-    }
-    const int size = graph.integer(written, "size");
-    map.size = static_cast<std::uint32_t>(std::clamp(size, 1, static_cast<int>(kMaxShadowMapSide)));
-    if (size > static_cast<int>(map.size)) {
-      context.diagnostics.report(DiagnosticId::field_range, graph.field_span(written, "size"),
-                                 fmt::format("a shadow map of size {} cannot be; {} is used", size, map.size));
-    }
-    map.scale = context.slots.slot(written, "scale");
-    map.bias = context.slots.slot(written, "bias");
-  } else {
-    map.scale = map.bias = context.slots.constant(SlotType::float_, {4.0});
-  }
+  map.scale = map.bias = context.slots.constant(SlotType::float_, {4.0});
+  if (written.valid() && !read_written_map(context, written, map)) return -1;
   check_projection(context, light);
   read_projection(context, light, map);
   context.scene.shadow_maps.push_back(map);
   return static_cast<int>(context.scene.shadow_maps.size() - 1);
+}
+
+/// The map of a light that some shape receives; -1 when it has none that can be drawn.
+int make_shadow_map(SceneContext& context, int light_index) {
+  const NodeId light = context.scene.lights[static_cast<std::size_t>(light_index)].node;
+  return add_shadow_map(context, light_index, light.valid() ? context.graph.child(light, "defaultShadowMap") : NodeId());
 }
 
 /// Order of lights as effects number them; a stable sort keeps document order within a kind.
@@ -183,6 +195,19 @@ void add_headlight(SceneContext& context, NodeId navigation_info) {
   light.direction = slots.constant(SlotType::vec3, {0, 0, -1});
   light.shadow_intensity = slots.constant(SlotType::float_, {1});
   context.scene.lights.push_back(std::move(light));
+}
+
+int shadow_map_of_node(SceneContext& context, NodeId map, int index) {
+  if (const int known = context.scene.lights[static_cast<std::size_t>(index)].shadow_map; known >= 0) return known;
+  const int made = add_shadow_map(context, index, map);
+  return context.scene.lights[static_cast<std::size_t>(index)].shadow_map = made;
+}
+
+int projection_of_light(SceneContext& context, int index) {
+  if (const int map = context.scene.lights[static_cast<std::size_t>(index)].shadow_map; map >= 0) return map;
+  const int map = add_shadow_map(context, index, {});
+  if (map >= 0) context.scene.shadow_maps[static_cast<std::size_t>(map)].update = ShadowUpdate::none;
+  return map;
 }
 
 void finish_lights(SceneContext& context, const std::vector<std::vector<NodeId>>& receives) {

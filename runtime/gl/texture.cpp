@@ -131,7 +131,7 @@ Texture upload_texture(const Functions& gl, const PackedTexture& texture, const 
                 static_cast<GLsizei>(image.depth()), expand_to_rgba(image, pixel_count).data());
   set_filters(gl, target, filter_of(texture.minification()),
               has_mipmaps(texture.magnification()) ? GL_LINEAR : filter_of(texture.magnification()));
-  set_wrap(gl, target, wrap_of(texture.wrap_s()), wrap_of(texture.wrap_t()), GL_REPEAT);
+  set_wrap(gl, target, wrap_of(texture.wrap_s()), wrap_of(texture.wrap_t()), wrap_of(texture.wrap_r()));
   if (has_mipmaps(texture.minification())) gl.GenerateMipmap(target);
   return handle;
 }

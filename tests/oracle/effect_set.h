@@ -83,11 +83,16 @@ struct LightModel {
   std::vector<int> effects;
 };
 
+struct TextureModel {
+  std::string sampler = "sampler2D";  ///< That reads it; "" for a ShaderTexture.
+  std::vector<int> effects;
+};
+
 struct ShapeModel {
   bool lit = true;
   bool gouraud = false;
-  std::vector<std::vector<int>> textures;  ///< The effects of each.
-  std::vector<int> effects;                ///< Of the Appearance.
+  std::vector<TextureModel> textures;
+  std::vector<int> effects;  ///< Of the Appearance.
   int group = 0;
 };
 

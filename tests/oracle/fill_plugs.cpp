@@ -6,7 +6,9 @@
 // A plug function returns void, and its parameters have the types of the table; `inout` may be weakened to `in`, `const in` or
 // `out`, and const may be added to an `in` or dropped. A `const in` that the template reads afterwards may be strengthened,
 // which is warned of. An author's marker asks for as many arguments as it passes; of
-// overloads, those are called whose types fit. A function that does not fit (one of the table, wherever it stands) makes its
+// overloads, those are called whose types fit. texture_color takes the sampler that reads its texture, and none for a
+// ShaderTexture; on a shape it reaches the textures that it takes, but an effect of a texture that takes it nowhere has the
+// wrong kind of sampler. A function that does not fit (one of the table, wherever it stands) makes its
 // effect faulty; one that merely reaches no marker does not: an unknown name, a name offered only later, a plug of another
 // stage, or a plug that this shape lacks.
 
@@ -50,6 +52,14 @@ bool has_strengthened(const FunctionModel& function, const PlugRow& row) {
   return false;
 }
 
+/// The row that a function of so many parameters follows: texture_color has a form without a sampler.
+PlugRow form_for(const FunctionModel& function, PlugRow row) {
+  if (row.name != "texture_color" || function.parameters.size() != 2) return row;
+  row.parameters.erase(row.parameters.begin() + 1);
+  row.keeps_changes.erase(row.keeps_changes.begin() + 1);
+  return row;
+}
+
 bool fits_row(const FunctionModel& function, const PlugRow& row) {
   if (function.parameters.size() != row.parameters.size()) return false;
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
@@ -68,7 +78,9 @@ class PlugFiller {
     piece_ = piece;
     function_ = &function;
     if (function.returned != "void") return complain("effect-plug-not-void", true);
-    const PlugRow* row = find_row(function.name);
+    const PlugRow* known = find_row(function.name);
+    const PlugRow form = known == nullptr ? PlugRow() : form_for(function, *known);
+    const PlugRow* row = known == nullptr ? nullptr : &form;
     if (row != nullptr && !row->replaced_by.empty()) complain("effect-deprecated-plug", false);
     if (row != nullptr && !fits_row(function, *row)) return complain("effect-wrong-signature", true);
     if (row != nullptr && has_strengthened(function, *row)) complain("effect-strengthened-parameter", false);
@@ -76,7 +88,7 @@ class PlugFiller {
     if (reached.empty()) return complain(why_unreached(row), false);
     const auto of_use = std::count_if(reached.begin(), reached.end(), [&](Marker* m) { return has_overload_for(*m); });
     if (row == nullptr && of_use < std::ssize(reached)) return complain("effect-wrong-signature", true);
-    if (of_use == 0) complain("effect-plug-absent", false);
+    if (of_use == 0) complain_of_texture(*reached.front());
     bool called = false;
     for (Marker* marker : reached) {
       if (!fits_marker(*marker, function)) continue;
@@ -101,6 +113,16 @@ class PlugFiller {
       owners.insert(marker->piece < 0 ? -1 : program_.pieces[static_cast<std::size_t>(marker->piece)].effect);
     const int provider = *owners.begin();
     if (owners.size() == 1 && provider >= 0 && provider != piece().effect) program_.needs.push_back({piece().effect, provider});
+  }
+
+  /// No function of the part takes a texture that this one reaches. Another part of the effect may.
+  void complain_of_texture(const Marker& marker) {
+    if (piece().scope.kind != ScopeKind::texture) return complain("effect-plug-absent", false);
+    const bool other_part = std::any_of(program_.pieces.begin(), program_.pieces.end(), [&](const Piece& other) {
+      return other.placement == piece().placement && other.effect == piece().effect && other.stage == piece().stage &&
+             takes(*other.part, marker);
+    });
+    if (!other_part) complain("sampler-kind", false);
   }
 
   bool is_earlier(const Marker& marker) const { return marker.piece < static_cast<int>(piece_); }
@@ -135,17 +157,21 @@ class PlugFiller {
   }
 
   /// Whether this function or another definition in its part fits the marker.
-  bool has_overload_for(const Marker& marker) const {
-    const auto& functions = piece().part->functions;
-    return std::any_of(functions.begin(), functions.end(), [&](const FunctionModel& other) {
+  bool has_overload_for(const Marker& marker) const { return takes(*piece().part, marker); }
+
+  bool takes(const PartModel& part, const Marker& marker) const {
+    return std::any_of(part.functions.begin(), part.functions.end(), [&](const FunctionModel& other) {
       return other.is_plug && other.name == function_->name && fits_marker(marker, other);
     });
   }
 
-  /// Texture plugs: every texture is a sampler2D. Authors' plugs: as many
-  /// arguments, and of overloads the one with their type.
-  static bool fits_marker(const Marker& marker, const FunctionModel& function) {
-    if (marker.plug == "texture_color") return function.parameters[1].type == "sampler2D";
+  /// Texture plugs: the texture's sampler. Authors' plugs: as many arguments, and of overloads the one with their type.
+  bool fits_marker(const Marker& marker, const FunctionModel& function) const {
+    if (marker.plug == "texture_color") {
+      const std::string& sampler = program_.shape.textures[static_cast<std::size_t>(marker.scope.number)].sampler;
+      if (sampler.empty()) return function.parameters.size() == 2;
+      return function.parameters.size() == 3 && function.parameters[1].type == sampler;
+    }
     if (marker.statement == nullptr) return true;
     const bool as_many = function.parameters.size() == static_cast<std::size_t>(marker.statement->count);
     return as_many && function.parameters[0].type == marker.statement->type;

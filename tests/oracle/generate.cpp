@@ -58,7 +58,8 @@ class Generator {
     shape.lit = random_.percent(75);
     shape.gouraud = random_.percent(30);
     for (int i = random_.percent(50) ? 0 : random_.between(1, 2); i > 0; --i) {
-      shape.textures.push_back(effects_at(Place::texture, random_.between(0, 1)));
+      const std::string sampler = random_.one_of({"sampler2D", "sampler2D", "sampler2D", "sampler3D", "samplerCube", ""});
+      shape.textures.push_back({sampler, effects_at(Place::texture, random_.between(0, 1))});
     }
     shape.effects = effects_at(Place::shape, random_.between(0, 3));
     shape.group = random_.between(0, static_cast<int>(set_.groups.size()) - 1);
@@ -243,7 +244,10 @@ class Generator {
     } else {
       const PlugRow& row = draw_row(part, place);
       function.name = row.name;
-      for (const ParameterModel& parameter : row.parameters) function.parameters.push_back(weakened(parameter));
+      const bool without_sampler = row.name == "texture_color" && random_.percent(15);
+      for (const ParameterModel& parameter : row.parameters) {
+        if (!without_sampler || parameter.type != "samplerT") function.parameters.push_back(weakened(parameter));
+      }
       spoil(function);
     }
     add_statements(part, function, place == Place::light);
@@ -253,7 +257,8 @@ class Generator {
     if (random_.percent(50) && is_custom(function.name)) {
       for (ParameterModel& parameter : function.parameters) parameter.type = function.name == "dim" ? "vec3" : "float";
     }
-    if (random_.percent(50) && function.name == "texture_color") function.parameters[1].type = "samplerCube";
+    const bool has_sampler = function.name == "texture_color" && function.parameters.size() == 3;
+    if (random_.percent(50) && has_sampler) function.parameters[1].type = random_.one_of({"sampler3D", "samplerCube"});
     part.functions.push_back(function);
   }
 
@@ -275,7 +280,8 @@ class Generator {
   }
 
   ParameterModel weakened(ParameterModel parameter) {
-    if (parameter.type == "samplerT") parameter.type = random_.percent(90) ? "sampler2D" : "samplerCube";
+    if (parameter.type == "samplerT")
+      parameter.type = random_.one_of({"sampler2D", "sampler2D", "sampler2D", "sampler3D", "samplerCube"});
     if (random_.percent(60)) return parameter;
     parameter.qualifier = parameter.qualifier == "inout" ? random_.one_of({"inout", "in", "const in", "out", "", "const"})
                                                          : random_.one_of({"in", "const in", "", "const"});

@@ -54,7 +54,7 @@ void place_pieces(ProgramModel& program, const std::set<int>& left_out) {
     }
   }
   for (std::size_t i = 0; i < program.shape.textures.size(); ++i) {
-    place_effects(program, program.shape.textures[i], {ScopeKind::texture, static_cast<int>(i)}, left_out);
+    place_effects(program, program.shape.textures[i].effects, {ScopeKind::texture, static_cast<int>(i)}, left_out);
   }
   place_effects(program, program.shape.effects, {}, left_out);
   std::vector<int> groups;

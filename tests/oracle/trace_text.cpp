@@ -39,6 +39,11 @@ int number_in(std::string_view text) {
   return number;
 }
 
+/// The light or the texture whose function of the renderer is being walked.
+struct Surroundings {
+  std::string light, texture;
+};
+
 class TextTracer {
  public:
   TextTracer(const ComposedProgram& program, const Scene& scene, const StageOutline& stage, const StageOutline& vertex)
@@ -54,7 +59,7 @@ class TextTracer {
 
   Trace run() {
     const auto main = functions_.find("main");
-    if (main != functions_.end()) walk(*main->second, "");
+    if (main != functions_.end()) walk(*main->second, {});
     return std::move(trace_);
   }
 
@@ -89,14 +94,14 @@ class TextTracer {
   }
 
   /// `for_author`: an author's code has called it, perhaps by way of a function that only calls on.
-  void walk(const FunctionOutline& function, const std::string& light, bool for_author = false) {
+  void walk(const FunctionOutline& function, const Surroundings& around, bool for_author = false) {
     const std::size_t first = token_at(function.body_begin);
     const int tag = tag_of(stage_, first);
     const FunctionOutline* outer = std::exchange(walked_, &function);
     for (std::size_t i = first; i < stage_.tokens.tokens.size() && stage_.tokens.tokens[i].begin < function.body_end; ++i) {
       if (stage_.tokens.tokens[i].kind != TokenKind::identifier || stage_.at(i - 1) == ".") continue;
       if (stage_.at(i + 1) == "(" && functions_.contains(stage_.at(i))) {
-        follow(i, tag != 0 || for_author, light);
+        follow(i, tag != 0 || for_author, around);
       } else if (tag != 0) {
         note_use(i);
       }
@@ -104,22 +109,32 @@ class TextTracer {
     walked_ = outer;
   }
 
-  void follow(std::size_t call, bool by_author, const std::string& light) {
+  void follow(std::size_t call, bool by_author, const Surroundings& around) {
     const FunctionOutline* meant = overload(call);
     if (meant == nullptr) return;
     const int tag = tag_of(stage_, token_at(meant->body_begin));
-    if (tag != 0) trace_.push_back(fmt::format("f{}{}", tag, by_author ? "" : place_of(call, light)));
+    if (tag != 0) trace_.push_back(fmt::format("f{}{}", tag, by_author ? "" : place_of(call, around)));
     constexpr std::string_view kLight = "light_source_";
-    walk(*meant, meant->name.starts_with(kLight) ? std::string(meant->name.substr(kLight.size())) : light, by_author);
+    Surroundings inside = around;
+    if (meant->name.starts_with(kLight)) inside.light = meant->name.substr(kLight.size());
+    if (const std::string texture = texture_of(*meant); tag == 0 && !texture.empty()) inside.texture = texture;
+    walk(*meant, inside, by_author);
   }
 
-  /// Where the renderer calls an author: in which light's function, with which texture.
-  std::string place_of(std::size_t call, const std::string& light) const {
-    for (std::size_t i = call; stage_.at(i) != ")"; ++i) {
-      constexpr std::string_view kTexture = "castle_texture_";
-      if (stage_.at(i).starts_with(kTexture)) return fmt::format("@texture {}", stage_.at(i).substr(kTexture.size()));
+  /// The number of the texture whose coordinates a function of the renderer reads; "" for other functions.
+  std::string texture_of(const FunctionOutline& function) const {
+    constexpr std::string_view kCoordinates = "castle_TexCoord";
+    for (std::size_t i = token_at(function.body_begin);
+         i < stage_.tokens.tokens.size() && stage_.tokens.tokens[i].begin < function.body_end; ++i) {
+      if (stage_.at(i).starts_with(kCoordinates)) return std::string(stage_.at(i).substr(kCoordinates.size()));
     }
-    return light.empty() ? "" : "@light " + light;
+    return "";
+  }
+
+  /// Where the renderer calls an author: in which light's function, for which texture.
+  std::string place_of(std::size_t call, const Surroundings& around) const {
+    if (stage_.at(call).starts_with("PLUG_texture_color")) return "@texture " + around.texture;
+    return around.light.empty() ? "" : "@light " + around.light;
   }
 
   const FunctionOutline* overload(std::size_t call) const {
@@ -151,7 +166,7 @@ class TextTracer {
   }
 
   std::string_view argument_type(std::size_t begin, std::size_t end) const {
-    if (stage_.at(begin).starts_with("castle_texture_")) return "sampler2D";
+    if (stage_.at(begin).starts_with("castle_texture_")) return globals_.at(stage_.at(begin))->type;
     if (stage_.at(end - 1) == "rgb") return "vec3";
     if (end - begin != 1) return "";
     for (const Parameter& parameter : walked_->parameters) {

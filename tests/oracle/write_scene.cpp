@@ -53,13 +53,24 @@ class SceneWriter {
     }
   }
 
+  /// A texture that this sampler reads, without its end.
+  static std::string texture_text(const std::string& sampler) {
+    if (sampler == "sampler2D") return "ImageTexture { url \"white.png\"";
+    if (sampler == "sampler3D") return "PixelTexture3D { image [ 1 1 1 1 255 ]";
+    if (sampler.empty()) return "ShaderTexture {";
+    std::string text = "ComposedCubeMapTexture {";
+    for (const std::string_view side : {"front", "back", "left", "right", "top", "bottom"})
+      text += fmt::format(" {}Texture PixelTexture {{ image 1 1 1 255 }}", side);
+    return text;
+  }
+
   void write_shape(const ShapeModel& shape) {
     line(fmt::format("Shape {{ {} geometry Box {{ }} appearance Appearance {{", shape.gouraud ? "shading \"GOURAUD\"" : ""));
     line(shape.lit ? "material Material { specularColor 1 1 1 }" : "material UnlitMaterial { emissiveColor 1 1 1 }");
     if (shape.textures.size() > 1) line("texture MultiTexture { mode [ \"MODULATE\" \"MODULATE\" ] texture [");
-    for (const std::vector<int>& effects : shape.textures) {
-      line(shape.textures.size() > 1 ? "ImageTexture { url \"white.png\"" : "texture ImageTexture { url \"white.png\"");
-      write_effects("effects", effects);
+    for (const TextureModel& texture : shape.textures) {
+      line(fmt::format("{}{}", shape.textures.size() > 1 ? "" : "texture ", texture_text(texture.sampler)));
+      write_effects("effects", texture.effects);
       line("}");
     }
     if (shape.textures.size() > 1) line("] }");

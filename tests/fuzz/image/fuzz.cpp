@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::optional<plugc::Image> image = plugc::decode_image(bytes, "fuzzed", {}, diagnostics);
   if (image.has_value() == diagnostics.has_errors()) std::abort();
   if (!image) return 0;
-  if (image->pixels.size() != std::size_t{image->width} * image->height * image->channels) std::abort();
+  if (image->pixels.size() != std::size_t{image->width} * image->height * image->depth * image->channels) std::abort();
   if (image->channels < 1 || image->channels > 4) std::abort();
   (void)plugc::alpha_use(*image);
   return 0;

@@ -78,7 +78,7 @@ TEST_F(NamesTest, SharesCastleNames) {
   const int declared =
       fragment("varying vec4 castle_TexCoord0;\nvoid PLUG_fragment_modify(inout vec4 c) { c.b = castle_TexCoord0.s; }");
   EXPECT_EQ(count(fragment_text(unlit({bare, declared})), "in vec4 castle_TexCoord0;"), 1U);
-  EXPECT_EQ(lines_with(stage(ShaderStage::vertex).text(), "castle_TexCoord0 ="), "castle_TexCoord0 = castle_MultiTexCoord0;\n");
+  EXPECT_EQ(lines_with(stage(ShaderStage::vertex).text(), "castle_TexCoord0 ="), "castle_TexCoord0 = tex_coord;\n");
 }
 
 TEST_F(NamesTest, NumbersALightsOwnNames) {

@@ -103,10 +103,42 @@ TEST(Jpeg, ProgressiveAndCmykBecomeRgb) {
   }
 }
 
+TEST(Dds, AVolumeKeepsItsSlicesAndTurnsTheirRows) {
+  const Image image = image_of("volume.dds");  // 1 x 2 x 2 texels BGRA; red counts texels from the top left of slice 0
+  EXPECT_EQ(image.depth, 2u);
+  EXPECT_THAT(image.pixels, ElementsAre(1, 0, 0, 255, 0, 0, 0, 255, 3, 0, 0, 255, 2, 0, 0, 255));
+}
+
+TEST(Dds, ACubeMapKeepsItsFacesAsTheyStandAndPassesOverMipmaps) {
+  const Image image = image_of("cube.dds");  // six faces of 2 x 2 grey texels, each with a mipmap of value 99
+  EXPECT_EQ(image.depth, 6u);
+  ASSERT_EQ(image.pixels.size(), 24u);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) EXPECT_EQ(image.pixels[i], i) << i;
+}
+
+TEST(Dds, WhatItCannotHoldIsReported) {
+  const std::string good = sample("volume.dds");
+  const auto with_byte = [&](std::size_t at, char byte) {
+    std::string changed = good;
+    changed[at] = byte;
+    return decode(changed).messages;
+  };
+  const std::string prefix = "cannot decode the image `p`: ";
+  EXPECT_THAT(decode(good.substr(0, 100)).messages, ElementsAre(prefix + "its header is cut short"));
+  EXPECT_THAT(decode(good.substr(0, good.size() - 1)).messages,
+              ElementsAre(prefix + "it is cut short: 1 bytes of texels are missing"));
+  EXPECT_THAT(with_byte(80, 4), ElementsAre(prefix + "its texels are compressed; save it without compression"));
+  EXPECT_THAT(with_byte(95, 1),
+              ElementsAre(prefix + "its texels have not 8 bits a channel; save it as RGBA with 8 bits a channel"));
+  EXPECT_THAT(with_byte(16, 0), ElementsAre(prefix + "it has no pixels"));
+  EXPECT_THAT(with_byte(19, 1), ElementsAre(prefix + "it has 16777217 x 2 x 2 texels; a side may have at most 16384"));
+  EXPECT_THAT(with_byte(113, 2), ElementsAre(prefix + "its cube map lacks faces; it needs all six"));
+}
+
 TEST(Image, BrokenFilesAreReported) {
   EXPECT_THAT(decode("").messages, ElementsAre("cannot decode the image `p`: the file is empty"));
   EXPECT_THAT(decode("GIF89a").messages,
-              ElementsAre("cannot decode the image `p`: it is neither PNG nor JPEG; convert it to one of them"));
+              ElementsAre("cannot decode the image `p`: it is none of PNG, JPEG and DDS; convert it to one of them"));
   EXPECT_THAT(decode(sample("truncated.png")).messages, ElementsAre("cannot decode the image `p`: the file ends too early"));
   EXPECT_THAT(decode(sample("truncated.jpg")).messages, ElementsAre("cannot decode the image `p`: Premature end of JPEG file"));
   EXPECT_THAT(

@@ -272,7 +272,7 @@ TEST(PackageFile, DumpsOneFactALine) {
   for (const std::string line :
        {"  uniform float weights[4]\n", "  attribute position: position 0\n", "  plugs filled: `texture_color`\n",
         "mesh 0: triangles, 3 vertices of 20 bytes, 3 indices\n  stream position 0: 3 floats at 0\n",
-        "  bounds -1 -1 0 to 1 0.5 0\n", "texture 0: image 0, wrap repeat repeat, filter linear_mipmap_linear linear\n",
+        "  bounds -1 -1 0 to 1 0.5 0\n", "texture 0: image 0, wrap repeat repeat repeat, filter linear_mipmap_linear linear\n",
         "  slot 0: vec3[1] 1 0.5 0\n", "  slot 0 is `Paint.diffuseColor`, the host may change it\n", "    while slot 1 is 2\n",
         "  light 0 `Lamp`: spot, transform -1\n    slots: on -, color 0,",
         "  shape 0 `Kettle`: transform 1, mesh 0, program 0\n", "      color = slot a 0 b 0 scale 1\n", "    depth program 1\n",

@@ -1,0 +1,85 @@
+// What lights and viewpoints project onto shapes: shadow maps that authors use as textures, and texture coordinates. Both
+// name their light or viewpoint, and where that stands is known only when the whole scene has been walked.
+// A map whose light shines on the shape darkens that light there (thesis, 9.2); on other shapes, and in uniforms, it is a
+// texture that compares.
+
+#include <algorithm>
+
+#include "scene/scene_context.h"
+
+namespace plugc {
+namespace {
+
+/// The light where it stands first; one that stands nowhere shines on nothing, and is added.
+int light_of(SceneContext& context, NodeId node) {
+  const auto& lights = context.scene.lights;
+  const auto found = std::ranges::find(lights, node, &SceneLight::node);
+  return found == lights.end() ? add_light(context, node, -1) : static_cast<int>(found - lights.begin());
+}
+
+void finish_projector(SceneContext& context, NodeId node, SceneProjector& projector) {
+  if (context.graph.is(node, "X3DLightNode")) {
+    projector.shadow_map = projection_of_light(context, light_of(context, node));
+    return;
+  }
+  const auto& viewpoints = context.scene.viewpoints;
+  const auto standing = std::ranges::find(viewpoints, node, &SceneViewpoint::node);
+  projector.viewpoint = standing == viewpoints.end() ? read_viewpoint(context, node, -1) : *standing;
+}
+
+/// The map that a GeneratedShadowMap node makes; -1 when it is never drawn, which is reported.
+int finish_map(SceneContext& context, NodeId node) {
+  const NodeId light = context.graph.child(node, "light");
+  if (!context.graph.is(light, "X3DLightNode")) {
+    context.diagnostics.report(DiagnosticId::shadow_map_update_none, context.graph[node].type_span,
+                               "a `GeneratedShadowMap` without `light` is never drawn, so it shadows nothing");
+    return -1;
+  }
+  return shadow_map_of_node(context, node, light_of(context, light));
+}
+
+bool is_lit(const Scene& scene, const SceneShape& shape) {
+  return shape.shader < 0 && shape.material >= 0 &&
+         scene.materials[static_cast<std::size_t>(shape.material)].lighting != Lighting::unlit;
+}
+
+/// Takes the maps of lights that shine on the shape out of its textures, into their lights. A map with effects of its own
+/// stays a texture: they would find no other place.
+void move_maps_into_lights(Scene& scene, SceneShape& shape) {
+  if (!is_lit(scene, shape)) return;
+  std::erase_if(shape.textures, [&](const TextureUse& use) {
+    const SceneTexture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
+    if (texture.shadow_map < 0 || texture.kind != TextureKind::shadow_2d || !texture.effects.empty()) return false;
+    const int index = scene.shadow_maps[static_cast<std::size_t>(texture.shadow_map)].light;
+    if (std::ranges::find(shape.lights, index) == shape.lights.end()) return false;
+    if (std::ranges::find(shape.receives, index) == shape.receives.end()) shape.receives.push_back(index);
+    return true;
+  });
+}
+
+}  // namespace
+
+int projector_index(SceneContext& context, NodeId node) {
+  const bool projects = context.graph.is(node, "SpotLight") || context.graph.is(node, "DirectionalLight") ||
+                        context.graph.is(node, "Viewpoint") || context.graph.is(node, "OrthoViewpoint");
+  if (!projects) return -1;
+  const auto [found, added] = context.projectors.try_emplace(node, static_cast<int>(context.scene.projectors.size()));
+  if (added) context.scene.projectors.emplace_back();
+  return found->second;
+}
+
+void finish_projections(SceneContext& context) {
+  Scene& scene = context.scene;
+  for (SceneTexture& texture : scene.textures) {
+    if (context.graph.is(texture.node, "GeneratedShadowMap")) texture.shadow_map = finish_map(context, texture.node);
+  }
+  // from here a light that has a map has it, and projects through the same frustum
+  for (const auto& [node, index] : context.projectors) {
+    SceneProjector projector;
+    finish_projector(context, node, projector);
+    scene.projectors[static_cast<std::size_t>(index)] = std::move(projector);
+  }
+  for (SceneShape& shape : scene.shapes) move_maps_into_lights(scene, shape);
+}
+
+}  // namespace plugc

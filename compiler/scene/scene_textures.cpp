@@ -1,0 +1,248 @@
+// Texture nodes as plain data: which sampler reads each, how the textures of a shape are combined, and where their
+// coordinates come from. A node is turned once, however often it is USEd.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "scene/scene_context.h"
+
+namespace plugc {
+namespace {
+
+/// What plugc knows of a type of texture node. Types that it does not draw yet are read by their sampler all the same, so
+/// that the programs of their shapes are the ones that they will be drawn with.
+struct TextureType {
+  std::string_view name;
+  TextureKind kind;
+  bool has_pixels;
+  bool drawn;
+};
+
+constexpr TextureType kTextureTypes[] = {
+    {"ImageTexture", TextureKind::image_2d, true, true},          {"PixelTexture", TextureKind::image_2d, true, true},
+    {"ImageTexture3D", TextureKind::image_3d, true, true},        {"PixelTexture3D", TextureKind::image_3d, true, true},
+    {"ComposedTexture3D", TextureKind::image_3d, true, true},     {"ImageCubeMapTexture", TextureKind::cube, true, true},
+    {"ComposedCubeMapTexture", TextureKind::cube, true, true},    {"ShaderTexture", TextureKind::shader, false, true},
+    {"MovieTexture", TextureKind::image_2d, false, false},        {"RenderedTexture", TextureKind::image_2d, false, false},
+    {"GeneratedCubeMapTexture", TextureKind::cube, false, false}, {"GeneratedShadowMap", TextureKind::shadow_2d, false, true},
+};
+
+const TextureType* find_type(const NodeGraph& graph, NodeId node) {
+  const auto* found = std::ranges::find(kTextureTypes, graph[node].info->name, &TextureType::name);
+  return found == std::end(kTextureTypes) ? nullptr : found;
+}
+
+/// The node's type has the field, whether or not somebody wrote it.
+bool has_field(const NodeGraph& graph, NodeId node, std::string_view field) {
+  return find_field_info(*graph[node].info, field) != nullptr;
+}
+
+/// The texture's TextureProperties; not valid without any.
+NodeId properties_of(const NodeGraph& graph, NodeId texture) {
+  if (!has_field(graph, texture, "textureProperties")) return {};
+  const NodeId properties = graph.child(texture, "textureProperties");
+  return graph.is(properties, "TextureProperties") ? properties : NodeId();
+}
+
+/// `repeatS` and its like, unless TextureProperties say more (X3D 4.1, 18.4.7).
+Wrap read_wrap(const NodeGraph& graph, NodeId texture, std::string_view repeat, std::string_view boundary_mode) {
+  if (const NodeId properties = properties_of(graph, texture); properties.valid()) {
+    const std::string_view mode = graph.string(properties, boundary_mode);
+    if (mode == "MIRRORED_REPEAT") return Wrap::mirrored_repeat;
+    return mode == "REPEAT" ? Wrap::repeat : Wrap::clamp_to_edge;
+  }
+  const bool repeats = !has_field(graph, texture, repeat) || graph.boolean(texture, repeat);
+  return repeats ? Wrap::repeat : Wrap::clamp_to_edge;
+}
+
+VertexCoord default_coord(const NodeGraph& graph, NodeId texture, TextureKind kind) {
+  if (kind == TextureKind::image_3d || kind == TextureKind::cube) return VertexCoord::bounds_3d;  // X3D 4.1, 33.2.4
+  const bool in_3d = kind == TextureKind::shader && graph.string(texture, "defaultTexCoord") == "BOUNDS3D";
+  return in_3d ? VertexCoord::bounds_3d : VertexCoord::own;
+}
+
+/// TextureProperties' filters (X3D 4.1, tables 18.7 and 18.8); what only says how fast or nice is plugc's choice.
+TextureFilter read_minification(std::string_view name) {
+  if (name == "AVG_PIXEL" || name == "LINEAR") return TextureFilter::linear;
+  if (name == "NEAREST_PIXEL" || name == "NEAREST") return TextureFilter::nearest;
+  if (name == "NEAREST_PIXEL_NEAREST_MIPMAP" || name == "NEAREST_MIPMAP_NEAREST") return TextureFilter::nearest_mipmap_nearest;
+  return TextureFilter::linear_mipmap_linear;
+}
+
+TextureFilter read_magnification(std::string_view name) {
+  return name == "NEAREST_PIXEL" || name == "NEAREST" ? TextureFilter::nearest : TextureFilter::linear;
+}
+
+void read_filters(const NodeGraph& graph, NodeId node, SceneTexture& texture) {
+  const NodeId properties = properties_of(graph, node);
+  if (!properties.valid()) return;
+  texture.minification = read_minification(graph.string(properties, "minificationFilter"));
+  texture.magnification = read_magnification(graph.string(properties, "magnificationFilter"));
+}
+
+SceneTexture read_texture(SceneContext& context, NodeId node, const TextureType& type) {
+  const NodeGraph& graph = context.graph;
+  SceneTexture texture;
+  texture.kind = type.kind;
+  texture.node = node;
+  if (type.kind == TextureKind::shadow_2d && graph.string(node, "compareMode") == "NONE") texture.kind = TextureKind::image_2d;
+  texture.has_pixels = type.has_pixels;
+  texture.wrap_s = read_wrap(graph, node, "repeatS", "boundaryModeS");
+  texture.wrap_t = read_wrap(graph, node, "repeatT", "boundaryModeT");
+  texture.wrap_r = read_wrap(graph, node, "repeatR", "boundaryModeR");
+  read_filters(graph, node, texture);
+  texture.default_coord = default_coord(graph, node, type.kind);
+  texture.effects = effect_list(context, node);
+  return texture;
+}
+
+SceneTextureTransform read_transform(SlotTable& slots, const NodeGraph& graph, NodeId node) {
+  SceneTextureTransform transform;
+  if (graph.is(node, "TextureTransformMatrix3D")) {
+    transform.matrix = slots.slot(node, "matrix");
+    return transform;
+  }
+  transform.translation = slots.slot(node, "translation");
+  transform.rotation = slots.slot(node, "rotation");
+  transform.scale = slots.slot(node, "scale");
+  transform.center = slots.slot(node, "center");
+  return transform;
+}
+
+int texture_transform_index(SceneContext& context, NodeId node) {
+  const bool known = context.graph.is(node, "TextureTransform") || context.graph.is(node, "TextureTransform3D") ||
+                     context.graph.is(node, "TextureTransformMatrix3D");
+  if (!known) return -1;
+  const auto [found, added] =
+      context.texture_transforms.try_emplace(node, static_cast<int>(context.scene.texture_transforms.size()));
+  if (added) context.scene.texture_transforms.push_back(read_transform(context.slots, context.graph, node));
+  return found->second;
+}
+
+struct GeneratorMode {
+  std::string_view name;
+  CoordGenerator generator;
+};
+
+/// COORD-EYE and CAMERASPACEPOSITION are one.
+constexpr GeneratorMode kGeneratorModes[] = {
+    {"SPHERE", CoordGenerator::sphere},
+    {"CAMERASPACENORMAL", CoordGenerator::camera_space_normal},
+    {"CAMERASPACEPOSITION", CoordGenerator::camera_space_position},
+    {"CAMERASPACEREFLECTIONVECTOR", CoordGenerator::camera_space_reflection},
+    {"SPHERE-LOCAL", CoordGenerator::sphere_local},
+    {"COORD", CoordGenerator::coord},
+    {"COORD-EYE", CoordGenerator::camera_space_position},
+    {"NOISE", CoordGenerator::coord},
+    {"NOISE-EYE", CoordGenerator::camera_space_position},
+    {"SPHERE-REFLECT", CoordGenerator::sphere_reflect},
+    {"SPHERE-REFLECT-LOCAL", CoordGenerator::sphere_reflect_local},
+    {"WORLDSPACENORMAL", CoordGenerator::world_space_normal},
+    {"WORLDSPACEREFLECTIONVECTOR", CoordGenerator::world_space_reflection},
+};
+
+/// parameter[0] is an index of refraction, parameter[1] to [3] an eye point; 1 0 0 0 where nothing is said.
+std::uint32_t generator_parameter(SceneContext& context, NodeId generator) {
+  std::vector<double> values = {1, 0, 0, 0};
+  const auto written = context.graph.field(generator, "parameter").numbers;
+  std::copy_n(written.begin(), std::min(written.size(), values.size()), values.begin());
+  return context.slots.constant(SlotType::vec4, std::move(values));
+}
+
+/// Coordinates as the light or viewpoint in that field sees the vertex; without one, the mesh's own.
+void project_from(SceneContext& context, NodeId node, std::string_view field, TextureUse& use) {
+  use.projector = projector_index(context, context.graph.child(node, field));
+  if (use.projector >= 0) use.generator = CoordGenerator::projection;
+}
+
+void read_generator(SceneContext& context, NodeId node, const SceneTexture& texture, TextureUse& use) {
+  const std::string_view mode = context.graph.string(node, "mode");
+  if (mode == "PROJECTION") return project_from(context, node, "projectedLight", use);
+  if (mode == "BOUNDS" || mode == "BOUNDS2D" || mode == "BOUNDS3D") {
+    const bool in_3d = mode == "BOUNDS3D" || (mode == "BOUNDS" && texture.default_coord == VertexCoord::bounds_3d);
+    use.coord = in_3d ? VertexCoord::bounds_3d : VertexCoord::bounds_2d;
+    return;
+  }
+  const auto* found = std::ranges::find(kGeneratorModes, mode, &GeneratorMode::name);
+  if (found != std::end(kGeneratorModes)) use.generator = found->generator;
+  const bool reflects =
+      use.generator == CoordGenerator::sphere_reflect || use.generator == CoordGenerator::sphere_reflect_local;
+  if (reflects) use.parameter = generator_parameter(context, node);
+  const bool drawn = found != std::end(kGeneratorModes) && !mode.starts_with("NOISE");
+  if (drawn) return;
+  const std::string_view instead = found == std::end(kGeneratorModes) ? "the geometry's own coordinates are"
+                                   : mode == "NOISE"                  ? "`COORD` is"
+                                                                      : "`COORD-EYE` is";
+  context.diagnostics.report(DiagnosticId::not_drawn, context.graph.field_span(node, "mode"),
+                             fmt::format("texture coordinates in mode `{}` are not made yet; {} used", mode, instead));
+}
+
+/// The node that gives the coordinates of a unit: of too few, the last serves all others (X3D 4.1, 18.4.5).
+NodeId unit_coordinates(const NodeGraph& graph, NodeId geometry, int unit) {
+  if (!has_field(graph, geometry, "texCoord")) return {};
+  const NodeId written = graph.child(geometry, "texCoord");
+  if (!graph.is(written, "MultiTextureCoordinate")) return written;
+  const auto list = graph.children(written, "texCoord");
+  return list.empty() ? NodeId() : list[std::min(static_cast<std::size_t>(unit), list.size() - 1)];
+}
+
+}  // namespace
+
+int unit_transform(SceneContext& context, NodeId transform, std::size_t unit) {
+  const NodeGraph& graph = context.graph;
+  if (!graph.is(transform, "MultiTextureTransform")) return unit == 0 ? texture_transform_index(context, transform) : -1;
+  const auto list = graph.children(transform, "textureTransform");
+  return unit < list.size() ? texture_transform_index(context, list[unit]) : -1;
+}
+
+int texture_index(SceneContext& context, NodeId node) {
+  if (!node.valid()) return -1;
+  if (const auto found = context.textures.find(node); found != context.textures.end()) return found->second;
+  int& index = context.textures[node] = -1;
+  const std::string_view name = context.graph[node].info->name;
+  const TextureType* type = find_type(context.graph, node);
+  if (type == nullptr || !type->drawn) {
+    const std::string_view what = type == nullptr ? "is no texture that one sampler reads; it is left out"
+                                                  : "is not drawn yet; a white texel stands for it";
+    context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span, fmt::format("a `{}` {}", name, what));
+  }
+  if (type == nullptr) return -1;
+  SceneTexture texture = read_texture(context, node, *type);
+  context.scene.textures.push_back(std::move(texture));
+  return index = static_cast<int>(context.scene.textures.size() - 1);
+}
+
+void read_textures(SceneContext& context, NodeId texture, NodeId transform, SceneShape& shape) {
+  const NodeGraph& graph = context.graph;
+  const bool multi = graph.is(texture, "MultiTexture");
+  const std::vector<NodeId> single = {texture};
+  const auto list = multi ? graph.children(texture, "texture") : std::span<const NodeId>(single);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto combination = multi ? read_combination(graph, texture, i) : TextureCombination();
+    if (!combination) continue;
+    TextureUse use;
+    use.texture = texture_index(context, list[i]);
+    if (use.texture < 0) continue;
+    use.combination = *combination;
+    use.transform = unit_transform(context, transform, i);
+    use.unit = static_cast<int>(i);
+    shape.textures.push_back(use);
+  }
+  if (!multi) return;
+  shape.multi_color = context.slots.slot(texture, "color");
+  shape.multi_alpha = context.slots.slot(texture, "alpha");
+}
+
+void read_texture_coordinates(SceneContext& context, SceneShape& shape) {
+  for (TextureUse& use : shape.textures) {
+    const SceneTexture& texture = context.scene.textures[static_cast<std::size_t>(use.texture)];
+    const NodeId given = unit_coordinates(context.graph, shape.geometry, use.unit);
+    if (!given.valid()) use.coord = texture.default_coord;
+    if (context.graph.is(given, "TextureCoordinateGenerator")) read_generator(context, given, texture, use);
+    if (context.graph.is(given, "ProjectedTextureCoordinate")) project_from(context, given, "projector", use);
+  }
+}
+
+}  // namespace plugc
