@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 namespace plugc {
 namespace {
 
@@ -65,6 +63,7 @@ class RecipeMaker {
   }
   LightRecipe light(int index) const;
   TextureRecipe texture(std::size_t number, const Recipe& recipe) const;
+  bool is_projective(std::size_t number) const;
   bool is_read(TextureRole role, const Recipe& recipe) const;
   bool needs_vertex_eye(const Recipe& recipe) const;
 
@@ -132,20 +131,27 @@ bool RecipeMaker::is_read(TextureRole role, const Recipe& recipe) const {
   return false;
 }
 
+/// Whether q may differ from 1 where a picture is looked up.
+bool RecipeMaker::is_projective(std::size_t number) const {
+  const TextureUse& use = shape_.textures[number];
+  if (scene_.textures[static_cast<std::size_t>(use.texture)].kind != TextureKind::image_2d) return false;
+  const bool by_matrix = use.transform >= 0 && may_project(scene_.texture_transforms[static_cast<std::size_t>(use.transform)]);
+  const bool by_mesh = use.generator == CoordGenerator::none && number < facts_.projective.size() && facts_.projective[number];
+  return by_matrix || by_mesh || use.generator == CoordGenerator::projection;
+}
+
 TextureRecipe RecipeMaker::texture(std::size_t number, const Recipe& recipe) const {
   const TextureUse& use = shape_.textures[number];
   const SceneTexture& texture = scene_.textures[static_cast<std::size_t>(use.texture)];
+  const bool has_its_kind = use.role == TextureRole::main || texture.kind == TextureKind::image_2d;
   TextureRecipe made;
-  made.role = is_read(use.role, recipe) ? use.role : TextureRole::unused;
+  made.role = has_its_kind && is_read(use.role, recipe) ? use.role : TextureRole::unused;
   if (made.role == TextureRole::unused) return made;
-  const bool by_matrix = use.transform >= 0 && may_project(scene_.texture_transforms[static_cast<std::size_t>(use.transform)]);
-  const bool by_mesh = use.generator == CoordGenerator::none && number < facts_.projective.size() && facts_.projective[number];
-  const bool projective = by_matrix || by_mesh || use.generator == CoordGenerator::projection;
   made.kind = texture.kind;
   made.combination = use.combination;
   made.generator = use.generator;
   made.matrix = use.transform >= 0;
-  made.projective = projective && texture.kind == TextureKind::image_2d;
+  made.projective = is_projective(number);
   made.effects = switched_on(texture.effects);
   return made;
 }
@@ -197,59 +203,7 @@ Recipe RecipeMaker::make() {
   return recipe;
 }
 
-void append_effects(std::string& text, const std::vector<int>& effects, const Scene& scene) {
-  for (const int effect : effects) text += fmt::format(" `{}`", scene.effects[static_cast<std::size_t>(effect)].label);
-}
-
-/// `; texture 3d modulate2x, add sphere matrix`.
-std::string texture_text(const TextureRecipe& texture) {
-  constexpr std::string_view kKinds[] = {"", " 3d", " cube", " shadow", " shader"};
-  constexpr std::string_view kSources[] = {"", " diffuse", " specular", " factor"};
-  constexpr std::string_view kFunctions[] = {"", " complement", " alpha_replicate"};
-  constexpr std::string_view kGenerators[] = {"",
-                                              " sphere",
-                                              " camera_space_normal",
-                                              " camera_space_position",
-                                              " camera_space_reflection",
-                                              " sphere_local",
-                                              " coord",
-                                              " sphere_reflect",
-                                              " sphere_reflect_local",
-                                              " world_space_normal",
-                                              " world_space_reflection",
-                                              " projection"};
-  const TextureCombination& how = texture.combination;
-  const bool apart = how.alpha_mode != how.mode;
-  return fmt::format("; texture{} {}{}{}{}{}{}{}", kKinds[static_cast<std::size_t>(texture.kind)], to_text(how.mode),
-                     apart ? fmt::format(" / {}", to_text(how.alpha_mode)) : "", kSources[static_cast<std::size_t>(how.source)],
-                     kFunctions[static_cast<std::size_t>(how.function)],
-                     kGenerators[static_cast<std::size_t>(texture.generator)], texture.matrix ? " matrix" : "",
-                     texture.projective ? " projective" : "");
-}
-
 }  // namespace
-
-std::string_view to_text(TextureMode mode) {
-  constexpr std::string_view kModes[] = {"modulate",
-                                         "replace",
-                                         "modulate2x",
-                                         "modulate4x",
-                                         "add",
-                                         "addsigned",
-                                         "addsigned2x",
-                                         "subtract",
-                                         "addsmooth",
-                                         "blenddiffusealpha",
-                                         "blendtexturealpha",
-                                         "blendfactoralpha",
-                                         "blendcurrentalpha",
-                                         "modulatealpha_addcolor",
-                                         "modulateinvalpha_addcolor",
-                                         "modulateinvcolor_addalpha",
-                                         "selectarg2",
-                                         "dotproduct3"};
-  return kModes[static_cast<std::size_t>(mode)];
-}
 
 Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes,
                    const SwitchedParts& switched) {
@@ -280,60 +234,6 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
   depth.normals = recipe.normals && !depth.effects.empty();
   if (has_geometry) depth.primitive = recipe.primitive;
   return depth;
-}
-
-std::string to_text(const Recipe& recipe, const Scene& scene) {
-  std::string text = recipe.depth_only ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
-  const std::pair<bool, std::string_view> flags[] = {{!recipe.depth_only && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
-                                                     {recipe.physical, " physical"},
-                                                     {recipe.specular, " specular"},
-                                                     {recipe.emissive, " emissive"},
-                                                     {recipe.two_sided, " two_sided"},
-                                                     {recipe.color_per_vertex, " color_per_vertex"},
-                                                     {recipe.alpha_test, " alpha_test"},
-                                                     {recipe.fog == FogKind::linear, " linear_fog"},
-                                                     {recipe.fog == FogKind::exponential, " exponential_fog"},
-                                                     {recipe.fog != FogKind::none && recipe.fog_coord, " fog_coord"},
-                                                     {recipe.primitive == Primitive::points, " points"},
-                                                     {recipe.primitive == Primitive::lines, " lines"}};
-  for (const auto& [set, word] : flags) {
-    if (set) text += word;
-  }
-  if (recipe.shader >= 0) text += fmt::format(" `{}`", scene.shaders[static_cast<std::size_t>(recipe.shader)].label);
-  constexpr std::string_view kKinds[] = {"directional", "point", "spot"};
-  for (const LightRecipe& light : recipe.lights) {
-    if (light.off) {
-      text += "; light off";
-      continue;
-    }
-    text += fmt::format("; light {}", kKinds[static_cast<std::size_t>(light.kind)]);
-    const std::pair<bool, std::string_view> terms[] = {
-        {light.ambient, " ambient"},       {light.attenuation, " attenuation"}, {light.radius, " radius"},
-        {light.beam_width, " beam_width"}, {light.shadow, " shadow"},           {light.shadow_intensity, " shadow_intensity"},
-        {light.guarded, " switched"}};
-    for (const auto& [set, word] : terms) {
-      if (set) text += word;
-    }
-    append_effects(text, light.effects, scene);
-  }
-  constexpr std::string_view kRoles[] = {
-      "", "ambient", "specular", "shininess", "emissive", "occlusion", "metallic_roughness", "normal", "unused"};
-  for (const TextureRecipe& texture : recipe.textures) {
-    if (texture.role == TextureRole::main)
-      text += texture_text(texture);
-    else
-      text += fmt::format("; texture {}{}", kRoles[static_cast<std::size_t>(texture.role)], texture.matrix ? " matrix" : "");
-    append_effects(text, texture.effects, scene);
-  }
-  if (!recipe.effects.empty()) {
-    text += "; effects";
-    append_effects(text, recipe.effects, scene);
-  }
-  if (!recipe.guarded.empty()) {
-    text += "; switched";
-    append_effects(text, recipe.guarded, scene);
-  }
-  return text;
 }
 
 }  // namespace plugc

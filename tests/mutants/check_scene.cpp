@@ -68,12 +68,13 @@ CheckedScene check_scene(const EffectScene& scene, FileAccess& files, Validator&
     checked = start_anew();
     read_scene(scene, true, files, checked);
   }
-  PreparedScene prepared = prepare_scene(*checked.graph, std::move(checked.scene), files, *checked.diagnostics);
+  MeshCache meshes;
+  PreparedScene prepared = prepare_scene(*checked.graph, std::move(checked.scene), files, *checked.diagnostics, meshes);
   TemplateLibrary templates(*checked.sources);
   const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
   ValidationStatistics statistics;
   const std::vector<ValidRecipe> programs =
-      validate_states(prepared.recipes, input, {Target::glsl330}, validator, *checked.diagnostics, statistics);
+      validate_states(prepared.recipes, input, {{Target::glsl330}}, validator, *checked.diagnostics, statistics);
   note_needs(programs, checked);
   for (const ShapePlan& shape : prepared.parts.shapes) {
     for (const PlannedVariant& variant : shape.variants) checked.drawn.push_back(authors_in(programs, variant.program));

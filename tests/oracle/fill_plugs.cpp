@@ -52,8 +52,15 @@ bool has_strengthened(const FunctionModel& function, const PlugRow& row) {
   return false;
 }
 
-bool fits_row(const FunctionModel& function, PlugRow row) {
-  if (row.name == "texture_color" && function.parameters.size() == 2) row.parameters.erase(row.parameters.begin() + 1);
+/// The row that a function of so many parameters follows: texture_color has a form without a sampler.
+PlugRow form_for(const FunctionModel& function, PlugRow row) {
+  if (row.name != "texture_color" || function.parameters.size() != 2) return row;
+  row.parameters.erase(row.parameters.begin() + 1);
+  row.keeps_changes.erase(row.keeps_changes.begin() + 1);
+  return row;
+}
+
+bool fits_row(const FunctionModel& function, const PlugRow& row) {
   if (function.parameters.size() != row.parameters.size()) return false;
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const ParameterModel &own = function.parameters[i], &asked = row.parameters[i];
@@ -71,7 +78,9 @@ class PlugFiller {
     piece_ = piece;
     function_ = &function;
     if (function.returned != "void") return complain("effect-plug-not-void", true);
-    const PlugRow* row = find_row(function.name);
+    const PlugRow* known = find_row(function.name);
+    const PlugRow form = known == nullptr ? PlugRow() : form_for(function, *known);
+    const PlugRow* row = known == nullptr ? nullptr : &form;
     if (row != nullptr && !row->replaced_by.empty()) complain("effect-deprecated-plug", false);
     if (row != nullptr && !fits_row(function, *row)) return complain("effect-wrong-signature", true);
     if (row != nullptr && has_strengthened(function, *row)) complain("effect-strengthened-parameter", false);
@@ -97,6 +106,15 @@ class PlugFiller {
     if (faulty) program_.faulty.insert(piece().effect);
   }
 
+  /// Where all markers are one other effect's, the function is nothing without that effect.
+  void note_need(const std::vector<Marker*>& reached) {
+    std::set<int> owners;
+    for (const Marker* marker : reached)
+      owners.insert(marker->piece < 0 ? -1 : program_.pieces[static_cast<std::size_t>(marker->piece)].effect);
+    const int provider = *owners.begin();
+    if (owners.size() == 1 && provider >= 0 && provider != piece().effect) program_.needs.push_back({piece().effect, provider});
+  }
+
   /// No function of the part takes a texture that this one reaches. Another part of the effect may.
   void complain_of_texture(const Marker& marker) {
     if (piece().scope.kind != ScopeKind::texture) return complain("effect-plug-absent", false);
@@ -105,15 +123,6 @@ class PlugFiller {
              takes(*other.part, marker);
     });
     if (!other_part) complain("sampler-kind", false);
-  }
-
-  /// Where all markers are one other effect's, the function is nothing without that effect.
-  void note_need(const std::vector<Marker*>& reached) {
-    std::set<int> owners;
-    for (const Marker* marker : reached)
-      owners.insert(marker->piece < 0 ? -1 : program_.pieces[static_cast<std::size_t>(marker->piece)].effect);
-    const int provider = *owners.begin();
-    if (owners.size() == 1 && provider >= 0 && provider != piece().effect) program_.needs.push_back({piece().effect, provider});
   }
 
   bool is_earlier(const Marker& marker) const { return marker.piece < static_cast<int>(piece_); }

@@ -117,7 +117,7 @@ class TextTracer {
     constexpr std::string_view kLight = "light_source_";
     Surroundings inside = around;
     if (meant->name.starts_with(kLight)) inside.light = meant->name.substr(kLight.size());
-    if (tag == 0) inside.texture = texture_of(*meant);
+    if (const std::string texture = texture_of(*meant); tag == 0 && !texture.empty()) inside.texture = texture;
     walk(*meant, inside, by_author);
   }
 
