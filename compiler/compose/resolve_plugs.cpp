@@ -40,7 +40,7 @@ class PlugResolver {
   CallResult call_at(std::size_t unit, std::size_t function, const MarkerPlace& place);
   CallResult add_call(std::size_t unit, std::size_t function, const MarkerPlace& place);
   void note_only_provider(const PlacedUnit& unit, const std::vector<MarkerPlace>& markers);
-  void report_unreached(std::size_t unit, std::size_t function);
+  void report_unreached(const PlacedUnit& unit, const FunctionOutline& function);
   bool report_sampler_kind(const PlacedUnit& unit, const FunctionOutline& function);
   void report_absent_or_wrong_stage(const PlacedUnit& unit, const FunctionOutline& function, const PlugInfo& plug);
   const MarkerPlace* find_offer(std::string_view name, ShaderStage stage, bool in_stage) const;
@@ -216,8 +216,8 @@ void PlugResolver::report_absent_or_wrong_stage(const PlacedUnit& unit, const Fu
 /// What an effect of the texture itself would have to declare; false where that is not what is wrong. An effect that serves
 /// textures of several kinds has a function for each.
 bool PlugResolver::report_sampler_kind(const PlacedUnit& unit, const FunctionOutline& function) {
-  const bool of_texture = unit.scope.kind == ScopeKind::texture && plug_name(function.name) == "texture_color";
-  if (!of_texture) return false;
+  const bool samples = unit.stage == ShaderStage::fragment && plug_name(function.name) == "texture_color";
+  if (!samples || unit.scope.kind != ScopeKind::texture) return false;
   const TextureKind kind = c_.recipe.textures[static_cast<std::size_t>(unit.scope.number)].kind;
   const auto fits = [&](const PlacedUnit& other) {
     return other.owner == unit.owner && other.stage == unit.stage &&
@@ -234,9 +234,7 @@ bool PlugResolver::report_sampler_kind(const PlacedUnit& unit, const FunctionOut
 }
 
 /// No marker was reached: tell a name that nobody offers from one that this shape merely has not.
-void PlugResolver::report_unreached(std::size_t index, std::size_t f) {
-  const PlacedUnit& unit = c_.units[index];
-  const FunctionOutline& function = unit.code->outline.functions[f];
+void PlugResolver::report_unreached(const PlacedUnit& unit, const FunctionOutline& function) {
   if (report_sampler_kind(unit, function)) return;
   const PlugInfo* plug = find_plug(plug_name(function.name));
   plug == nullptr ? report_unknown(unit, function) : report_absent_or_wrong_stage(unit, function, *plug);
@@ -313,7 +311,7 @@ void PlugResolver::resolve_function(std::size_t index, std::size_t f) {
   }
   for (std::size_t m = 0; m < markers.size(); ++m) c_.result.calls.push_back(fmt::format("{} {}", name, to_text(unit.stage)));
   const bool of_use = results.contains(CallResult::called) || results.contains(CallResult::for_overload);
-  if (!of_use && !c_.recipe.depth_only) report_unreached(index, f);
+  if (!of_use && !c_.recipe.depth_only) report_unreached(unit, function);
 }
 
 /// Where all markers that a function reaches are one author's, the effect needs that author.
