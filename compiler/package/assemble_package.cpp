@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <tuple>
+#include <unordered_map>
 
 #include "compose/castle_names.h"
 #include "package/pack_geometry.h"
@@ -35,7 +37,8 @@ class Assembler {
   PackageT package_;
   std::vector<ProgramCosts> costs_;
   SourceList sources_;
-  std::map<std::string, std::uint32_t> programs_;  // by content
+  std::map<std::string, std::uint32_t> programs_;               // by content
+  std::unordered_multimap<std::size_t, std::uint32_t> meshes_;  // by the hash of their content
   std::map<const Image*, std::uint32_t> images_;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;  // by image, wrapping and filters
 };
@@ -104,11 +107,21 @@ bool are_equal(const PackedMeshT& a, const PackedMeshT& b) {
          a.vertices == b.vertices && a.indices == b.indices;
 }
 
+template <typename T>
+std::size_t hash_of(const std::vector<T>& list) {
+  return std::hash<std::string_view>()({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
+}
+
 std::uint32_t Assembler::add_mesh(const Mesh& mesh, std::uint32_t units) {
   auto packed = pack_mesh(mesh, units);
-  const auto same = std::ranges::find_if(package_.meshes, [&](const auto& known) { return are_equal(*known, *packed); });
-  const auto index = static_cast<std::uint32_t>(same - package_.meshes.begin());
-  if (same == package_.meshes.end()) package_.meshes.push_back(std::move(packed));
+  const std::size_t hash = hash_of(packed->vertices) ^ hash_of(packed->indices);
+  const auto [first, last] = meshes_.equal_range(hash);
+  for (auto known = first; known != last; ++known) {
+    if (are_equal(*package_.meshes[known->second], *packed)) return known->second;
+  }
+  const auto index = static_cast<std::uint32_t>(package_.meshes.size());
+  meshes_.emplace(hash, index);
+  package_.meshes.push_back(std::move(packed));
   return index;
 }
 
