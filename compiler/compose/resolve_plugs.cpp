@@ -338,15 +338,17 @@ void PlugResolver::resolve_unit(std::size_t index) {
 }
 
 void PlugResolver::list_plugs() const {
-  std::set<std::string, std::less<>> empty;
+  std::vector<std::string_view> empty;
   for (const auto& [key, places] : markers_) {
     const bool offered =
         std::any_of(places.begin(), places.end(), [&](const MarkerPlace& place) { return !c_.units[place.unit].dropped; });
-    if (offered && !filled_.contains(key.second)) empty.emplace(key.second);
+    if (offered && !filled_.contains(key.second)) empty.push_back(key.second);
   }
+  std::ranges::sort(empty);
+  const auto repeated = std::ranges::unique(empty);
   c_.result.plugs_filled.assign(filled_.begin(), filled_.end());
+  c_.result.plugs_empty.assign(empty.begin(), repeated.begin());
   std::ranges::sort(c_.result.calls);
-  c_.result.plugs_empty.assign(empty.begin(), empty.end());
 }
 
 /// A ComposedShader shows a shadow where its plugs let the renderer's lights in (thesis 9.2); else its author is told.

@@ -184,7 +184,7 @@ MappedText stage_text(Composition& composition, ShaderStage stage) {
   for (const PlacedUnit& unit : composition.units) {
     if (unit.stage != stage || unit.dropped) continue;
     text.append_generated("\n");
-    text.append(write_unit(composition, unit, declared));
+    write_unit(composition, unit, declared, text);
   }
   return text;
 }

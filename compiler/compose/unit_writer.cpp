@@ -29,7 +29,7 @@ class UnitWriter {
         declared_(declared),
         no_name_changes_(composition.keeps_names(unit)) {}
 
-  MappedText write();
+  void write(MappedText& stage);
 
  private:
   using Declarators = std::vector<const GlobalOutline*>;
@@ -248,12 +248,11 @@ void UnitWriter::write_calls(const MarkerOutline& marker, const std::vector<Plug
   const std::string arguments = renamed(marker.arguments);
   for (std::size_t i = 0; i < calls.size(); ++i) {
     const std::string& name = c_.units[calls[i].unit].function_names[calls[i].function];
-    std::string before = i > 0 ? separator : in_braces ? "{ " : "";
-    before += condition(calls[i]);
-    edits_.push_back({marker.begin, marker.begin,
-                      fmt::format("{}{}({}{});{}", before, name, arguments, calls[i].rgb_only ? ".rgb" : "",
-                                  in_braces && i + 1 == calls.size() ? " }" : ""),
-                      call_origin(calls[i])});
+    std::string text = i > 0 ? separator : in_braces ? "{ " : "";
+    text += condition(calls[i]);
+    text.append(name).append(1, '(').append(arguments).append(calls[i].rgb_only ? ".rgb);" : ");");
+    if (in_braces && i + 1 == calls.size()) text += " }";
+    edits_.push_back({marker.begin, marker.begin, std::move(text), call_origin(calls[i])});
   }
   replace(marker.begin, marker.end, calls.empty() ? "{}" : "");
 }
@@ -387,7 +386,7 @@ void UnitWriter::end_macros() {
   if (!text.empty()) edits_.push_back({code_.text.size(), code_.text.size(), "\n" + text, {}});
 }
 
-MappedText UnitWriter::write() {
+void UnitWriter::write(MappedText& stage) {
   remove_hoisted();
   remove_repeated();
   write_markers();
@@ -395,15 +394,14 @@ MappedText UnitWriter::write() {
   write_forwards();
   write_names();
   end_macros();
-  MappedText text = apply_edits(code_.text, std::move(edits_));
-  if (!text.empty() && text.text().back() != '\n') text.append_generated("\n");
-  return text;
+  append_edited(code_.text, std::move(edits_), stage);
+  if (stage.text().back() != '\n') stage.append_generated("\n");
 }
 
 }  // namespace
 
-MappedText write_unit(Composition& composition, const PlacedUnit& unit, Declared& declared) {
-  return UnitWriter(composition, unit, declared).write();
+void write_unit(Composition& composition, const PlacedUnit& unit, Declared& declared, MappedText& stage) {
+  UnitWriter(composition, unit, declared).write(stage);
 }
 
 }  // namespace plugc

@@ -20,6 +20,7 @@ struct Declared {
   std::unordered_map<std::string, Declaration> structs;
 };
 
-MappedText write_unit(Composition& composition, const PlacedUnit& unit, Declared& declared);
+/// Puts the unit behind what the stage has already.
+void write_unit(Composition& composition, const PlacedUnit& unit, Declared& declared, MappedText& stage);
 
 }  // namespace plugc

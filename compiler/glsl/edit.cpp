@@ -10,10 +10,9 @@
 
 namespace plugc {
 
-MappedText apply_edits(const MappedText& text, std::vector<Edit> edits) {
+void append_edited(const MappedText& text, std::vector<Edit> edits, MappedText& result) {
   std::stable_sort(edits.begin(), edits.end(),
                    [](const Edit& a, const Edit& b) { return std::tie(a.begin, a.end) < std::tie(b.begin, b.end); });
-  MappedText result;
   std::uint32_t copied = 0;
   for (const Edit& edit : edits) {
     PLUGC_CHECK(copied <= edit.begin && edit.begin <= edit.end && edit.end <= text.size(),
@@ -24,6 +23,11 @@ MappedText apply_edits(const MappedText& text, std::vector<Edit> edits) {
     copied = edit.end;
   }
   result.append(text, copied, text.size());
+}
+
+MappedText apply_edits(const MappedText& text, std::vector<Edit> edits) {
+  MappedText result;
+  append_edited(text, std::move(edits), result);
   return result;
 }
 

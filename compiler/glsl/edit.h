@@ -19,5 +19,7 @@ struct Edit {
 
 /// Edits must not overlap; they are sorted here (stable, so insertions at one place keep their order).
 MappedText apply_edits(const MappedText& text, std::vector<Edit> edits);
+/// The same, put behind what `result` has already.
+void append_edited(const MappedText& text, std::vector<Edit> edits, MappedText& result);
 
 }  // namespace plugc
