@@ -58,7 +58,7 @@ struct SceneParts {
   std::vector<ValidRecipe> programs;
   std::vector<std::string> program_names;  ///< By program: its recipe as text.
   std::optional<LibraryEntry> library;
-  std::vector<ProgramCosts> costs;         ///< By program, when they were asked for.
+  std::vector<ProgramCosts> costs;  ///< By program, when they were asked for.
 };
 
 struct AssembledPackage {

@@ -32,8 +32,9 @@ bool has_field(const NodeGraph& graph, NodeId node, std::string_view field) {
 /// Volumes and cubes say nothing of a surface.
 bool is_picture(SceneContext& context, NodeId node, int texture, std::string_view field) {
   if (context.scene.textures[static_cast<std::size_t>(texture)].kind == TextureKind::image_2d) return true;
-  context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span,
-                             fmt::format("a `{}` is not drawn as `{}`, which takes a picture", context.graph[node].info->name, field));
+  context.diagnostics.report(
+      DiagnosticId::not_drawn, context.graph[node].type_span,
+      fmt::format("a `{}` is not drawn as `{}`, which takes a picture", context.graph[node].info->name, field));
   return false;
 }
 

@@ -63,11 +63,10 @@ void report_left_out(const std::vector<int>& failing, int left_out, std::string_
     names += fmt::format("{}`{}`", names.empty() ? "" : ", ", effect_of(scene, index).label);
     if (index != left_out) related.push_back({effect_of(scene, index).span, "together with this effect"});
   }
-  diagnostics.report(
-      DiagnosticId::effect_left_out, gone.span,
-      fmt::format("effect `{}` is left out{}: the effects {} fail together, and it is the last of them", gone.label, where,
-                  names),
-      std::move(related));
+  diagnostics.report(DiagnosticId::effect_left_out, gone.span,
+                     fmt::format("effect `{}` is left out{}: the effects {} fail together, and it is the last of them",
+                                 gone.label, where, names),
+                     std::move(related));
 }
 
 void report_doubts(const EffectCode& code, Diagnostics& diagnostics) {

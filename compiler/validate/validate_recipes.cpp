@@ -17,7 +17,10 @@ class RecipeRepair {
  public:
   /// `many_targets`: an effect may be left out of one target alone, so messages name it.
   RecipeRepair(CandidateChecker& checker, bool many_targets, Diagnostics& diagnostics)
-      : checker_(checker), many_targets_(many_targets), diagnostics_(diagnostics), search_(checker, diagnostics.sources(), kMaxRechecks) {}
+      : checker_(checker),
+        many_targets_(many_targets),
+        diagnostics_(diagnostics),
+        search_(checker, diagnostics.sources(), kMaxRechecks) {}
 
   void run(ProgramCandidate& candidate);
 
@@ -86,7 +89,8 @@ void RecipeRepair::run(ProgramCandidate& candidate) {
     } else if (!fault.effects.empty()) {
       leave_out_last(candidate, fault);
     } else {
-      say(fault, candidate, {});
+      const int shader = candidate.recipe.shader;
+      say(fault, candidate, shader < 0 ? Span() : scene().shaders[static_cast<std::size_t>(shader)].span);
       if (!replace_shader(candidate)) return;
     }
   }

@@ -88,7 +88,7 @@ TEST(PlugTable, AgreesWithTheTemplatesMarkers) {
     ASSERT_NE(plug, nullptr) << name;
     std::set<std::size_t> expected = {plug->parameters.size()};
     if (name == "texture_color") expected.insert(plug->parameters.size() - 1);  // a ShaderTexture has no sampler
-    if (name == "add_light") expected.insert(plug->parameters.size() + 1);  // `view` for physical materials
+    if (name == "add_light") expected.insert(plug->parameters.size() + 1);      // `view` for physical materials
     EXPECT_EQ(counts, expected) << name;
   }
   for (const PlugInfo& plug : plug_table()) {
