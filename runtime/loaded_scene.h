@@ -27,4 +27,7 @@ struct LoadedScene {
   ShapePrograms programs_of(std::uint32_t index) const { return shape_programs(shape(index), world.shape_variant[index]); }
 };
 
+/// With its programs built and its geometry uploaded; what the driver rejects is reported. The package must outlive it.
+LoadedScene load_scene(const gl::Functions& functions, const Package& package, const PackedScene& packed, Messages& messages);
+
 }  // namespace plugc

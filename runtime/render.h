@@ -1,5 +1,5 @@
 #pragma once
-// THE FRAME: shadow passes, colour pass, readback. The embedding engineer's page: make a Renderer, draw frames.
+// The embedding engineer's page: make a Renderer, draw frames.
 
 #include <cstdint>
 #include <memory>

@@ -1,0 +1,34 @@
+#include "runtime/loaded_scene.h"
+
+namespace plugc {
+namespace {
+
+/// What must not wait for the first frame: programs (their messages belong to loading) and geometry.
+void upload(LoadedScene& scene, Messages& messages) {
+  for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
+    const PackedShape& shape = scene.shape(i);
+    scene.resources.mesh(shape.mesh());
+    for (std::uint32_t variant = 0; variant <= shape.variants()->size(); ++variant) {
+      const ShapePrograms use = shape_programs(shape, static_cast<std::uint8_t>(variant));
+      scene.programs.get(use.program, messages);
+      if (use.depth_program >= 0) scene.programs.get(static_cast<std::uint32_t>(use.depth_program), messages);
+    }
+  }
+}
+
+}  // namespace
+
+LoadedScene load_scene(const gl::Functions& functions, const Package& package, const PackedScene& packed, Messages& messages) {
+  LoadedScene scene{&package,
+                    &packed,
+                    Slots(packed),
+                    {},
+                    0,
+                    ProgramPool(functions, package),
+                    ResourcePool(functions, package),
+                    make_shadow_maps(functions, packed, messages)};
+  upload(scene, messages);
+  return scene;
+}
+
+}  // namespace plugc
