@@ -38,6 +38,7 @@ void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t 
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
   ShadowMap& map = scene.shadow_maps[index];
   map.view = fit_shadow_map(*scene.package, *scene.packed, scene.slots, scene.world, index, messages);
+  map.view = shifted(map.view, map);
   map.drawn_revision = scene.slots.revision();
   gl::begin_depth_pass(gl, map.framebuffer, map.size, finite_offset(scene.slots.number(packed.scale(), 4)),
                        finite_offset(scene.slots.number(packed.bias(), 4)));

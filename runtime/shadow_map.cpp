@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "base/limits.h"
 
 namespace plugc {
@@ -110,6 +112,13 @@ bool must_be_fitted(const ShadowMap& map, const Slots& slots) {
 bool casts(const PackedScene& scene, const World& world, std::uint32_t shape) {
   return world.shape_visible[shape] &&
          shape_programs(*scene.shapes()->Get(shape), world.shape_variant[shape]).depth_program >= 0;
+}
+
+View shifted(const View& view, const ShadowMap& map) {
+  if (map.shift == glm::dvec2(0)) return view;
+  View moved = view;
+  moved.projection = glm::translate(glm::dmat4(1.0), glm::dvec3(2.0 * map.shift / double(map.size), 0)) * view.projection;
+  return moved;
 }
 
 View fit_shadow_map(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,

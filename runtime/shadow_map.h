@@ -25,7 +25,11 @@ struct ShadowMap {
   bool only_projects = false;        ///< Never drawn, but some shape's texture coordinates are what its light sees.
   View view;                         ///< What the light saw when the map was drawn last.
   std::uint64_t drawn_revision = 0;  ///< Of the slots, at that time; 0: never.
+  glm::dvec2 shift{0};               ///< Texels that it is moved under the scene: measurements average over several.
 };
+
+/// The view with the map moved by its `shift`.
+View shifted(const View& view, const ShadowMap& map);
 
 /// One per PackedShadowMap. Sizes beyond what can be made, and lights that cannot have a map yet, are reported.
 std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages);
