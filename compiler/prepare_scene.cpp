@@ -11,6 +11,7 @@
 #include "mesh/mesh.h"
 #include "mesh/tangents.h"
 #include "mesh/unit_coords.h"
+#include "prepare_shadows.h"
 
 namespace plugc {
 namespace {
@@ -177,6 +178,7 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& fil
   prepare_meshes(graph, parts, meshes, diagnostics);
   prepare_tangents(parts);
   prepare_effect_code(parts.scene, prepared, diagnostics);
+  mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);
   prepare_recipes(prepared);
   return prepared;
 }

@@ -33,7 +33,7 @@ BoundTexture shadow_texture(LoadedScene& scene, const Pass& pass, std::uint32_t 
   const bool drawn = texture && scene.shadow_maps[map].drawn_revision != 0 && pass.shadows && !pass.depth_only;
   if (drawn && type == PackedUniformType::sampler2DShadow) return {texture.id()};
   if (drawn && type == PackedUniformType::sampler2D) return {texture.id(), scene.resources.depth_picture_sampler().id()};
-  return {scene.resources.stand_in(type).id()};
+  return {scene.resources.stand_in(type, scene.shadow_maps[map].reversed).id()};
 }
 
 BoundTexture find_texture(LoadedScene& scene, const Pass& pass, const PackedBinding& binding, PackedUniformType type,

@@ -20,6 +20,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kSmallestSpotAngle = 1e-3;
 constexpr double kLargestSpotAngle = 0.95 * kPi;  // X3D's default cutOffAngle of pi/2 would ask for 180 degrees
 constexpr double kNearestSpotRatio = 1e-3;        // near / far
+constexpr double kNearestReversedRatio = 1e-6;    // the same where nearness costs nothing; a float's range ends far below
 constexpr double kDepthMargin = 0.01;             // of the fitted range, on both ends
 constexpr double kThinnest = 1e-6;                // a range of a flat scene, relative to its distance
 constexpr double kSmallestLength = 1e-30;         // below it, squares and reciprocals leave the range of floats
@@ -51,13 +52,34 @@ bool finite_as_float(const glm::dmat4& matrix) {
   return true;
 }
 
+/// `rectangle` is left, bottom, right, top.
+glm::dmat4 parallel(const glm::dvec4& rectangle, const Range& depth, bool reversed) {
+  glm::dmat4 matrix = glm::ortho(rectangle.x, rectangle.z, rectangle.y, rectangle.w, depth.low, depth.high);
+  if (!reversed) return matrix;
+  // Half of the range alone: a float near 0 would resolve more than the arithmetic before it, and offset less than that needs.
+  matrix[2][2] = 0.5 / (depth.high - depth.low);
+  matrix[3][2] = 1 + depth.low * matrix[2][2];
+  return matrix;
+}
+
+/// `window` is left, bottom, right, top at distance 1.
+glm::dmat4 perspective(const glm::dvec4& window, const Range& depth, bool reversed) {
+  const glm::dvec4 cut = window * depth.low;
+  glm::dmat4 matrix = glm::frustum(cut.x, cut.z, cut.y, cut.w, depth.low, depth.high);
+  if (!reversed) return matrix;
+  matrix[2][2] = 0;
+  matrix[3][2] = depth.low;
+  return matrix;
+}
+
 View checked(const View& view) {
   if (finite_as_float(view.world_to_eye) && finite_as_float(view.projection) &&
       finite_as_float(view.projection * view.world_to_eye)) {
     return view;
   }
   View fallback = look_along(glm::dvec3(0), {0, 0, -1}, {0, 1, 0});
-  fallback.projection = glm::ortho(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  fallback.projection = parallel({-1, -1, 1, 1}, {-1, 1}, view.reversed);
+  fallback.reversed = view.reversed;
   return fallback;
 }
 
@@ -98,6 +120,7 @@ std::vector<PlacedBox> effective_casters(const FitInput& input, const glm::dvec3
 
 View fit_directional(const LightFrame& light, const FitInput& input) {
   View view = look_along(light.location, light.direction, light.up);
+  view.reversed = light.reversed;
   const glm::dvec3 direction(-view.eye_to_world[2]);
   const Box casters = box_in(input.may_move ? input.casters : effective_casters(input, direction), view.world_to_eye);
   const Box receivers = box_in(input.receivers, view.world_to_eye);
@@ -114,13 +137,20 @@ View fit_directional(const LightFrame& light, const FitInput& input) {
     const Range y = widened({fitted.min.y, fitted.max.y}, texel);
     rectangle = {x.low, y.low, x.high, y.high};
   }
-  const double first = -around.max.z;
   const double last_receiver = receivers.empty() ? -around.min.z : -receivers.min.z;
+  if (light.reversed) {
+    // What casts from before the first receiver is clamped to it.
+    const bool known = !receivers.empty() && !input.may_move;
+    const Range depth = widened({known ? -receivers.max.z : -around.max.z, last_receiver}, kDepthMargin);
+    view.projection = parallel(rectangle, depth, true);
+    return view;
+  }
+  const double first = -around.max.z;
   // Where the location is computed too, it lies where the boxes begin, and written distances count from there.
   const double start = light.located ? 0 : first;
   Range depth = widened({first, std::max(last_receiver, first)}, kDepthMargin);
   depth = chosen(light, {depth.low - start, depth.high - start});
-  view.projection = glm::ortho(rectangle.x, rectangle.z, rectangle.y, rectangle.w, depth.low + start, depth.high + start);
+  view.projection = parallel(rectangle, {depth.low + start, depth.high + start}, false);
   return view;
 }
 
@@ -136,15 +166,21 @@ double nearest_depth(const std::vector<PlacedBox>& boxes, const glm::dmat4& worl
 
 View fit_spot(const LightFrame& light, const FitInput& input) {
   View view = look_along(light.location, light.direction, light.up);
+  view.reversed = light.reversed;
   const Box receivers = box_in(input.receivers, view.world_to_eye);
   const double last_receiver = receivers.empty() ? 0 : -receivers.min.z;
   const double far = last_receiver > kSmallestLength ? last_receiver * (1 + kDepthMargin) : 1.0;
   const double nearest =
       nearest_depth(input.receivers, view.world_to_eye, nearest_depth(input.casters, view.world_to_eye, far));
-  Range depth = chosen(light, {nearest * (1 - kDepthMargin), far});
-  depth.low = light.near > 0 ? depth.low : std::max(depth.low, depth.high * kNearestSpotRatio);
-  const double half = depth.low * std::tan(std::clamp(light.angle, kSmallestSpotAngle, kLargestSpotAngle) / 2);
-  view.projection = glm::frustum(-half, half, -half, half, depth.low, depth.high);
+  const double half = std::tan(std::clamp(light.angle, kSmallestSpotAngle, kLargestSpotAngle) / 2);
+  Range depth = {nearest * (1 - kDepthMargin), far};
+  if (light.reversed) {
+    depth.low = std::max(depth.low, far * kNearestReversedRatio);
+  } else {
+    depth = chosen(light, depth);
+    depth.low = light.near > 0 ? depth.low : std::max(depth.low, depth.high * kNearestSpotRatio);
+  }
+  view.projection = perspective({-half, -half, half, half}, depth, light.reversed);
   return view;
 }
 
@@ -209,7 +245,9 @@ View fit_light(const LightFrame& light, const FitInput& input) {
 }
 
 glm::dmat4 world_to_texture(const View& light) {
-  const glm::dmat4 halve = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5));
+  const glm::dvec3 half(0.5, 0.5, light.reversed ? 1.0 : 0.5);
+  const glm::dvec3 shift(0.5, 0.5, light.reversed ? 0.0 : 0.5);
+  const glm::dmat4 halve = glm::translate(glm::dmat4(1.0), shift) * glm::scale(glm::dmat4(1.0), half);
   return halve * light.projection * light.world_to_eye;
 }
 

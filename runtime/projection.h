@@ -23,6 +23,7 @@ struct LightFrame {
   double angle = 0;            ///< Spot: full angle in radians.
   glm::dvec4 rectangle{0};     ///< Directional: left bottom right top.
   std::uint32_t map_size = 1;  ///< Texels along a side: how wide a margin of one texel is.
+  bool reversed = false;       ///< For a map that stores reversed depth: see fit_light.
 };
 
 /// A box in a space of its own: seen from the light it is fitted tighter than the world's box around it.
@@ -41,9 +42,12 @@ struct FitInput {
 LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, const Slots& slots, const World& world,
                        Messages& messages);
 
+/// What the light sees. With `reversed`, depths fall from 1: of a directional light to 1/2 at the last receiver, where a float
+/// resolves as much as at the first; of a spot light as near / distance, for which no distance is too far. Every receiver
+/// then has its place, so that written distances, which only save a map from coarse depths, are not needed.
 View fit_light(const LightFrame& light, const FitInput& input);
 
-/// World space to the map's texture space: x, y and depth from 0 to 1.
+/// World space to the map's texture space: x and y from 0 to 1, depth from 0 to 1 or as `reversed` says.
 glm::dmat4 world_to_texture(const View& light);
 
 }  // namespace plugc

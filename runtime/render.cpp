@@ -37,11 +37,11 @@ void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t 
                      FrameStatistics& statistics, Messages& messages) {
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
   ShadowMap& map = scene.shadow_maps[index];
-  map.view = fit_shadow_map(*scene.package, *scene.packed, scene.slots, scene.world, index, messages);
+  map.view = fit_shadow_map(*scene.package, *scene.packed, scene.slots, scene.world, index, map.reversed, messages);
   map.view = shifted(map.view, map);
   map.drawn_revision = scene.slots.revision();
   gl::begin_depth_pass(gl, map.framebuffer, map.size, finite_offset(scene.slots.number(packed.scale(), 4)),
-                       finite_offset(scene.slots.number(packed.bias(), 4)));
+                       finite_offset(scene.slots.number(packed.bias(), 4)), map.reversed);
   Pass pass{map.view, true, false, std::vector<View>(scene.shadow_maps.size()), {}};
   std::uint32_t drawn = 0;
   for (const std::uint32_t shape : caster_order(scene, map.view)) drawn += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;
@@ -54,7 +54,7 @@ void draw_shadow_maps(const gl::Functions& gl, LoadedScene& scene, std::set<std:
                       FrameStatistics& statistics, Messages& messages) {
   for (std::uint32_t i = 0; i < scene.shadow_maps.size(); ++i) {
     if (must_be_fitted(scene.shadow_maps[i], scene.slots)) {
-      scene.shadow_maps[i].view = fit_shadow_map(*scene.package, *scene.packed, scene.slots, scene.world, i, messages);
+      scene.shadow_maps[i].view = fit_shadow_map(*scene.package, *scene.packed, scene.slots, scene.world, i, false, messages);
       scene.shadow_maps[i].drawn_revision = scene.slots.revision();
     }
     const PackedShadowUpdate update = scene.packed->shadow_maps()->Get(i)->update();

@@ -25,12 +25,12 @@ const gl::Texture& ResourcePool::texture(std::uint32_t index, PackedUniformType 
   return texture;
 }
 
-const gl::Texture& ResourcePool::stand_in(PackedUniformType sampler) {
-  gl::Texture& texture = stand_ins_[sampler];
+const gl::Texture& ResourcePool::stand_in(PackedUniformType sampler, bool reversed) {
+  gl::Texture& texture = stand_ins_[{sampler, reversed}];
   if (texture) return texture;
   const bool compares = sampler == PackedUniformType::sampler2DShadow || sampler == PackedUniformType::samplerCubeShadow;
   const GLenum target = gl::texture_target(sampler);
-  texture = compares ? gl::make_lit_texture(*gl_, target) : gl::make_white_texture(*gl_, target);
+  texture = compares ? gl::make_lit_texture(*gl_, target, reversed) : gl::make_white_texture(*gl_, target);
   return texture;
 }
 

@@ -20,8 +20,9 @@ class ResourcePool {
   const gl::Mesh& mesh(std::uint32_t index);
   /// The texture as that sampler type reads it; white where the picture does not fit, which is reported.
   const gl::Texture& texture(std::uint32_t index, PackedUniformType sampler, Messages& messages);
-  /// What a sampler reads that nothing feeds: white, or lit for one that compares.
-  const gl::Texture& stand_in(PackedUniformType sampler);
+  /// What a sampler reads that nothing feeds: white, or lit for one that compares. `reversed`: in place of such a map, with
+  /// whose format a program keeps the driver's code for it.
+  const gl::Texture& stand_in(PackedUniformType sampler, bool reversed = false);
   const gl::Sampler& depth_picture_sampler();
 
  private:
@@ -29,7 +30,7 @@ class ResourcePool {
   const Package* package_ = nullptr;
   std::vector<std::optional<gl::Mesh>> meshes_;
   std::map<std::pair<std::uint32_t, GLenum>, gl::Texture> textures_;  ///< One picture can be read as 2D and as 3D.
-  std::map<PackedUniformType, gl::Texture> stand_ins_;
+  std::map<std::pair<PackedUniformType, bool>, gl::Texture> stand_ins_;
   gl::Sampler depth_picture_sampler_;
 };
 

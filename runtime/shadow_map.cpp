@@ -60,7 +60,8 @@ ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap&
     return map;
   }
   map.size = usable_size(packed.size(), gl::max_target_side(functions), messages);
-  map.texture = gl::make_depth_texture(functions, GL_TEXTURE_2D, map.size);
+  map.reversed = !packed.author_visible() && functions.ClipControl != nullptr;
+  map.texture = gl::make_depth_texture(functions, GL_TEXTURE_2D, map.size, map.reversed);
   map.framebuffer = gl::make_depth_target(functions, map.texture);
   return map;
 }
@@ -122,8 +123,9 @@ View shifted(const View& view, const ShadowMap& map) {
 }
 
 View fit_shadow_map(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,
-                    std::uint32_t index, Messages& messages) {
-  const LightFrame frame = light_frame(scene, *scene.shadow_maps()->Get(index), slots, world, messages);
+                    std::uint32_t index, bool reversed, Messages& messages) {
+  LightFrame frame = light_frame(scene, *scene.shadow_maps()->Get(index), slots, world, messages);
+  frame.reversed = reversed;
   return fit_light(frame, fit_input(package, scene, world, index));
 }
 

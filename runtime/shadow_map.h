@@ -21,6 +21,7 @@ struct ShadowMap {
   gl::Texture texture;  ///< None when the map is never drawn: whoever reads it is lit.
   gl::Framebuffer framebuffer;
   GLsizei size = 0;
+  bool reversed = false;             ///< Stores depths that fall from 1 to 0: nobody but the renderer's own code reads them.
   std::vector<MapReader> readers;    ///< Whose programs look into it.
   bool only_projects = false;        ///< Never drawn, but some shape's texture coordinates are what its light sees.
   View view;                         ///< What the light saw when the map was drawn last.
@@ -44,8 +45,8 @@ bool must_be_fitted(const ShadowMap& map, const Slots& slots);
 /// Shapes that are drawn into depth maps: visible, with a depth program.
 bool casts(const PackedScene& scene, const World& world, std::uint32_t shape);
 
-/// What the light of map `index` sees now.
+/// What the light of map `index` sees now, for depths that are stored so.
 View fit_shadow_map(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,
-                    std::uint32_t index, Messages& messages);
+                    std::uint32_t index, bool reversed, Messages& messages);
 
 }  // namespace plugc

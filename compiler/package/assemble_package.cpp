@@ -198,6 +198,7 @@ std::unique_ptr<PackedShadowMapT> pack_shadow_map(const SceneShadowMap& map) {
   packed->angle = map.angle;
   packed->rectangle = map.rectangle;
   packed->location = map.location;
+  packed->author_visible = map.author_visible;
   return packed;
 }
 

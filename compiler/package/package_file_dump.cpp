@@ -171,8 +171,8 @@ void dump_light(Text& text, const PackedLight& light, std::size_t index) {
 }
 
 void dump_shadow_map(Text& text, const PackedShadowMap& map, std::size_t index) {
-  line(text, "  shadow map {}: light {}, size {}, update {}", index, map.light(), map.size(),
-       EnumNamePackedShadowUpdate(map.update()));
+  line(text, "  shadow map {}: light {}, size {}, update {}{}", index, map.light(), map.size(),
+       EnumNamePackedShadowUpdate(map.update()), map.author_visible() ? ", seen by authors" : "");
   line(text, "    slots: scale {}, bias {}, near {}, far {}, up {}, angle {}, rectangle {}, location {}", slot(map.scale()),
        slot(map.bias()), slot(map.near()), slot(map.far()), slot(map.up()), slot(map.angle()), slot(map.rectangle()),
        slot(map.location()));

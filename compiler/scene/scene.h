@@ -206,6 +206,7 @@ struct SceneShadowMap {
   ShadowUpdate update = ShadowUpdate::always;
   std::uint32_t scale = kSceneNoSlot, bias = kSceneNoSlot, near = kSceneNoSlot, far = kSceneNoSlot, up = kSceneNoSlot;
   std::uint32_t angle = kSceneNoSlot, rectangle = kSceneNoSlot, location = kSceneNoSlot;
+  bool author_visible = false;  ///< Not only the renderer's own code sees its depths or its projection.
 };
 
 enum class Lighting : std::uint8_t { unlit, phong, physical };

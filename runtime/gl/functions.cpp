@@ -3,11 +3,27 @@
 
 #include "runtime/gl/functions.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "runtime/gl/context.h"
 
 namespace plugc::gl {
+
+namespace {
+
+bool has_extension(const Functions& functions, std::string_view wanted) {
+  GLint count = 0;
+  functions.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    const auto* const name = reinterpret_cast<const char*>(functions.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+    if (name != nullptr && wanted == name) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 constexpr std::size_t kMostErrors = 16;  // a lost context goes on for ever
 
@@ -17,7 +33,11 @@ bool load_functions(const Context& context, Functions& functions, std::string& e
   if (functions.name == nullptr) error = "the OpenGL driver lacks `gl" #name "`";
 #include "runtime/gl/functions.def"
 #undef PLUGC_GL
-  return error.empty();
+  if (!error.empty()) return false;
+  if (has_extension(functions, "GL_ARB_clip_control")) {
+    functions.ClipControl = reinterpret_cast<PFNGLCLIPCONTROLPROC>(context.function("glClipControl"));
+  }
+  return true;
 }
 
 std::vector<std::string> take_errors(const Functions& functions) {

@@ -14,9 +14,10 @@ struct Functions {
 #define PLUGC_GL(name, type) PFNGL##type##PROC name = nullptr;
 #include "runtime/gl/functions.def"
 #undef PLUGC_GL
+  PFNGLCLIPCONTROLPROC ClipControl = nullptr;  ///< Absent before OpenGL 4.5 without GL_ARB_clip_control.
 };
 
-/// Fills every pointer, or says in `error` which function the context lacks.
+/// Fills every pointer that OpenGL 3.3 has, or says in `error` which of them the context lacks. The context must be current.
 bool load_functions(const Context& context, Functions& functions, std::string& error);
 
 /// Every error since the last call (`0x0502`), oldest first.

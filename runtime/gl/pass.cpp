@@ -37,12 +37,14 @@ GLenum blend_factor(PackedBlendFactor factor) {
   return GL_ONE;
 }
 
-void begin_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei width, GLsizei height) {
+void begin_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei width, GLsizei height, bool reversed) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   gl.Viewport(0, 0, width, height);
   set_draw_state(gl, DrawState{});  // also lets depth be written, which clearing needs
   gl.Enable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_LEQUAL);
+  gl.DepthFunc(reversed ? GL_GEQUAL : GL_LEQUAL);
+  gl.ClearDepth(reversed ? 0.0 : 1.0);
+  if (gl.ClipControl != nullptr) gl.ClipControl(GL_LOWER_LEFT, reversed ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
   gl.Enable(GL_DEPTH_CLAMP);
 }
 
@@ -63,16 +65,17 @@ void set_context_defaults(const Functions& gl) {
 
 void begin_color_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei width, GLsizei height,
                       const std::array<float, 3>& background) {
-  begin_pass(gl, framebuffer, width, height);
+  begin_pass(gl, framebuffer, width, height, false);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
   gl.ClearColor(background[0], background[1], background[2], 1.0F);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size, float scale, float bias) {
-  begin_pass(gl, framebuffer, size, size);
+void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size, float scale, float bias,
+                      bool reversed) {
+  begin_pass(gl, framebuffer, size, size, reversed);
   gl.Enable(GL_POLYGON_OFFSET_FILL);
-  gl.PolygonOffset(scale, bias);
+  gl.PolygonOffset(reversed ? -scale : scale, reversed ? -bias : bias);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 

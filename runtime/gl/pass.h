@@ -17,8 +17,10 @@ void set_context_defaults(const Functions& gl);
 void begin_color_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei width, GLsizei height,
                       const std::array<float, 3>& background);
 
-/// Depth cleared to the far plane, both faces drawn, moved away by glPolygonOffset(scale, bias).
-void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size, float scale, float bias);
+/// Depth cleared to the far plane, both faces drawn, moved away by glPolygonOffset(scale, bias). `reversed`: depth falls from
+/// 1 to 0, for a target that stores it so.
+void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size, float scale, float bias,
+                      bool reversed);
 
 struct DrawState {
   bool blended = false;

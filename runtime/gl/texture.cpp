@@ -1,7 +1,8 @@
 // Every picture becomes RGBA8, whatever its channels: each further texture format costs llvmpipe another code generation
 // per program (some 300 ms). One and two channels are grey and grey with alpha (X3D 4.1, 5.3.7).
-// Depth maps are 24 bit fixed point, because only there OpenGL clamps the reference depth to 0..1 before it compares: what
-// lies beyond the far plane is then compared with 1, and lit where nothing was drawn.
+// Depth maps that authors see are 24 bit fixed point, because only there OpenGL clamps the reference depth to 0..1 before it
+// compares: what lies beyond the far plane is then compared with 1, and lit where nothing was drawn. Reversed ones are floats,
+// which resolve most near 0, where most distances of a perspective lie; who reads them clamps for himself.
 
 #include "runtime/gl/texture.h"
 
@@ -12,7 +13,8 @@ namespace plugc::gl {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> kWhite = {255, 255, 255, 255};
-constexpr std::array<GLuint, 1> kFar = {0xFFFFFFFF};
+constexpr std::array<GLfloat, 1> kFar = {1};
+constexpr std::array<GLfloat, 1> kReversedFar = {0};
 constexpr int kCubeFaces = 6;
 
 /// A new texture, bound to the unit that no program reads: an upload in the middle of a draw disturbs nothing.
@@ -87,25 +89,26 @@ void upload_slices(const Functions& gl, GLenum target, GLsizei width, GLsizei he
 }
 
 /// Memory for every face, at the far plane when one texel.
-void allocate_depth(const Functions& gl, GLenum target, GLsizei size, const void* data) {
+void allocate_depth(const Functions& gl, GLenum target, GLsizei size, bool reversed, const void* data) {
+  const GLint format = reversed ? GL_DEPTH_COMPONENT32F : GL_DEPTH_COMPONENT24;
   const int faces = target == GL_TEXTURE_CUBE_MAP ? kCubeFaces : 1;
   const GLenum first = target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : target;
   for (int face = 0; face < faces; ++face) {
-    gl.TexImage2D(first + static_cast<GLenum>(face), 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT,
-                  GL_UNSIGNED_INT, data);
+    gl.TexImage2D(first + static_cast<GLenum>(face), 0, format, size, size, 0, GL_DEPTH_COMPONENT, GL_FLOAT, data);
   }
 }
 
-Texture make_compared_texture(const Functions& gl, GLenum target, GLsizei size, const void* data) {
+Texture make_compared_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed, const void* data) {
   Texture texture = begin_texture(gl, target);
-  allocate_depth(gl, target, size, data);
+  allocate_depth(gl, target, size, reversed, data);
   set_filters(gl, target, GL_LINEAR, GL_LINEAR);
   const GLint wrap = target == GL_TEXTURE_2D ? GL_CLAMP_TO_BORDER : GL_CLAMP_TO_EDGE;
   set_wrap(gl, target, wrap, wrap, wrap);
-  constexpr std::array<GLfloat, 4> lit = {1, 1, 1, 1};
+  const GLfloat far = reversed ? 0 : 1;
+  const std::array<GLfloat, 4> lit = {far, far, far, far};
   gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, lit.data());
   gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, reversed ? GL_GEQUAL : GL_LEQUAL);
   return texture;
 }
 
@@ -145,12 +148,12 @@ Texture make_white_texture(const Functions& gl, GLenum target) {
   return texture;
 }
 
-Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size) {
-  return make_compared_texture(gl, target, size, nullptr);
+Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed) {
+  return make_compared_texture(gl, target, size, reversed, nullptr);
 }
 
-Texture make_lit_texture(const Functions& gl, GLenum target) {
-  return make_compared_texture(gl, target, 1, kFar.data());
+Texture make_lit_texture(const Functions& gl, GLenum target, bool reversed) {
+  return make_compared_texture(gl, target, 1, reversed, reversed ? kReversedFar.data() : kFar.data());
 }
 
 Sampler make_depth_picture_sampler(const Functions& gl) {

@@ -19,10 +19,11 @@ Texture upload_texture(const Functions& gl, const PackedTexture& texture, const 
 /// One white texel, for samplers that nothing feeds.
 Texture make_white_texture(const Functions& gl, GLenum target);
 
-/// A square depth texture that compares (2x2 by the hardware), and is lit outside its border. `target` 2D or cube.
-Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size);
+/// A square depth texture that compares (2x2 by the hardware), and is lit outside its border. `target` 2D or cube. `reversed`:
+/// what is stored falls from 1 (near) to 0 (far), and who reads it keeps what it compares at 0 or above.
+Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed);
 /// One texel at the far plane: shadows nothing.
-Texture make_lit_texture(const Functions& gl, GLenum target);
+Texture make_lit_texture(const Functions& gl, GLenum target, bool reversed);
 
 /// Reads a depth texture as a grey picture: no comparison.
 Sampler make_depth_picture_sampler(const Functions& gl);

@@ -136,6 +136,31 @@ TEST(Projection, ClampsASpotThatWouldSeeHalfTheWorld) {
   EXPECT_NEAR(view.projection[0][0], 1 / std::tan(0.95 * kPi / 2), 1e-9);
 }
 
+TEST(Projection, ReversedDepthOfASunFallsFromOneToAHalfOverWhatReceives) {
+  LightFrame light = sun();
+  light.reversed = true;
+  light.near = 7;  // written distances only coarsen or refine depths that are stored from 0 to 1
+  light.far = 8;
+  const FitInput input{{box({-1, 2, -2}, {1, 50, 2})}, {box({-9, 0, -9}, {9, 1, 9})}, false};
+  const View view = fit_light(light, input);
+  EXPECT_NEAR(in_texture(view, {0, 1, 0}).z, 1, 0.01);
+  EXPECT_LT(in_texture(view, {0, 1, 0}).z, 1);
+  EXPECT_NEAR(in_texture(view, {0, 0, 0}).z, 0.5, 0.01);
+  EXPECT_GT(in_texture(view, {0, 0, 0}).z, 0.5);
+  EXPECT_GT(in_texture(view, {0, 2, 0}).z, 1) << "a caster before all receivers is clamped to the near plane";
+}
+
+TEST(Projection, ReversedDepthOfASpotFallsAsTheReciprocalOfDistance) {
+  LightFrame light = lamp();
+  light.reversed = true;
+  const FitInput input{{box({-1, 4, -1}, {1, 8, 1})}, {box({-5, 0, -5}, {5, 1, 5})}, false};
+  const View view = fit_light(light, input);
+  const double near = in_texture(view, {0, 8, 0}).z * 2;  // depth times distance is the same everywhere
+  EXPECT_NEAR(near, 2, 0.05);
+  EXPECT_NEAR(in_texture(view, {0, 0, 0}).z * 10, near, 1e-9);
+  EXPECT_NEAR(in_texture(view, {3, -1e9, 0}).z * 1e9, near, 1e-6);
+}
+
 /// The light of a scene with one map, as light_frame reads it.
 struct OneLight {
   SceneBuilder builder;
@@ -226,7 +251,10 @@ TEST(Projection, IsFiniteForDegenerateScenes) {
   const std::vector<glm::dvec3> vectors = {{0, -1, 0},        {0, 0, 0},    {1e-320, 0, 0},
                                            {1e300, 0, 1e300}, {kNan, 0, 0}, {kInfinity, 1, 0}};
   const std::vector<double> numbers = {0, 1e-300, 1, 1e300, kInfinity, kNan};
-  for (LightFrame light : {sun(), lamp()}) {
+  LightFrame reversed_sun = sun();
+  LightFrame reversed_lamp = lamp();
+  reversed_sun.reversed = reversed_lamp.reversed = true;
+  for (LightFrame light : {sun(), lamp(), reversed_sun, reversed_lamp}) {
     for (const FitInput& input : inputs) {
       for (const glm::dvec3& vector : vectors) {
         light.direction = vector;

@@ -137,6 +137,27 @@ TEST(Shadow, IsCastFromBeforeTheNearPlane) {
   EXPECT_EQ(at(make_renderer(loaded)->draw(frame()), 0, 0), kBlack);
 }
 
+TEST(Shadow, IsTheSameWhicheverWayItsDepthsAreStored) {
+  for (const PackedLightKind kind : {PackedLightKind::directional, PackedLightKind::spot}) {
+    std::vector<Picture> pictures;
+    for (const bool author_visible : {false, true}) {
+      ShadowScene scene(kind, 256);
+      scene.builder.light(0).location = scene.builder.vec3(1, 0, 5);
+      scene.builder.light(0).direction = scene.builder.vec3(0.1, 0.2, -1);
+      scene.builder.light(0).cut_off_angle = scene.builder.number(0.7);
+      scene.builder.shadow_map(0).author_visible = author_visible;
+      const LoadedPackage loaded = scene.builder.pack();
+      pictures.push_back(make_renderer(loaded)->draw(frame()));
+    }
+    EXPECT_EQ(at(pictures[0], 0, 0), kBlack);
+    EXPECT_EQ(at(pictures[0], -3, -3), kWhite);
+    int unlike = 0;
+    for (std::size_t i = 0; i < pictures[0].pixels.size(); i += 4)
+      unlike += std::abs(pictures[0].pixels[i] - pictures[1].pixels[i]) > 64 ? 1 : 0;
+    EXPECT_LE(unlike, 8);
+  }
+}
+
 TEST(Shadow, FollowsItsCasterAndIsDrawnOnlyWhenSomethingChanged) {
   ShadowScene scene(PackedLightKind::directional, 128);
   const LoadedPackage loaded = scene.builder.pack();

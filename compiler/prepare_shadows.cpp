@@ -1,0 +1,48 @@
+// A map that only the renderer's own code reads may be stored and fitted as suits the renderer; here the others are found.
+
+#include "prepare_shadows.h"
+
+#include <algorithm>
+
+namespace plugc {
+namespace {
+
+void mark(Scene& scene, int map) {
+  if (map >= 0) scene.shadow_maps[static_cast<std::size_t>(map)].author_visible = true;
+}
+
+void mark_texture(Scene& scene, int texture) {
+  if (texture >= 0) mark(scene, scene.textures[static_cast<std::size_t>(texture)].shadow_map);
+}
+
+void mark_fields(const std::vector<SceneEffect>& authors, Scene& scene) {
+  for (const SceneEffect& author : authors) {
+    for (const ShaderField& field : author.fields) {
+      for (const int texture : field.textures) mark_texture(scene, texture);
+    }
+  }
+}
+
+bool names_a_map(const EffectCode& code) {
+  return std::ranges::any_of(code.castle_names, [](const std::string& name) {
+    return name.starts_with("castle_shadow_map") || name.starts_with("castle_projector_matrix") ||
+           name.starts_with("castle_projected_tex_coord");
+  });
+}
+
+}  // namespace
+
+void mark_author_visible_maps(const std::vector<EffectCode>& effects, const std::vector<EffectCode>& shaders, Scene& scene) {
+  for (const SceneShape& shape : scene.shapes) {
+    for (const TextureUse& use : shape.textures) {
+      mark_texture(scene, use.texture);
+      if (use.projector >= 0) mark(scene, scene.projectors[static_cast<std::size_t>(use.projector)].shadow_map);
+    }
+  }
+  mark_fields(scene.effects, scene);
+  mark_fields(scene.shaders, scene);
+  if (!std::ranges::any_of(effects, names_a_map) && !std::ranges::any_of(shaders, names_a_map)) return;
+  for (SceneShadowMap& map : scene.shadow_maps) map.author_visible = true;
+}
+
+}  // namespace plugc
