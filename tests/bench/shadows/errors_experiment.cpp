@@ -1,0 +1,88 @@
+// The truth of a scene is traced once. Then each method is compiled and each size drawn, and every picture compared with it.
+
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "shadows/compile_scene.h"
+#include "shadows/experiments.h"
+#include "shadows/lab_scene.h"
+
+namespace plugc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Small maps make large errors, whose mean needs more positions.
+int shift_count(const Lab& lab, std::uint32_t size) {
+  if (lab.quick) return 1;
+  return size <= 1024 ? 4 : 1;
+}
+
+class ErrorTable {
+ public:
+  ErrorTable(Lab& lab, std::ofstream& file) : lab_(lab), file_(file) {}
+
+  void add_scene(const fs::path& scene) {
+    std::string error;
+    const std::vector<std::uint8_t> bytes = compile_scene(scene, "", lab_.validator, error);
+    if (bytes.empty()) {
+      fmt::print(stderr, "{}\n", error);
+      return;
+    }
+    const auto loaded = load_lab_scene(lab_.studio, bytes, {});
+    const JudgedScene judged = judge_scene(lab_.studio, *loaded, judged_frames(*loaded->package.package, lab_.quick));
+    if (judged.views.empty())
+      fmt::print(stderr, "{}: no light of it has a shadow map yet, so it is left out\n", scene.string());
+    if (judged.views.empty()) return;
+    for (const JudgedView& view : judged.views) add_ends(scene, view);
+    for (const std::string& method : lab_.methods) add_method(scene, judged, method);
+  }
+
+ private:
+  /// Without shadows all that is shadowed is wrong; traced, nothing.
+  void add_ends(const fs::path& scene, const JudgedView& view) {
+    const double shadowed = view.truth.counted == 0 ? 0 : static_cast<double>(view.truth.shadowed) / view.truth.counted;
+    write(scene, view, "none", 0, {{0, shadowed, shadowed, 0, 0, 0}, 0});
+  }
+
+  void add_method(const fs::path& scene, const JudgedScene& judged, const std::string& method) {
+    std::string error;
+    const std::vector<std::uint8_t> bytes = compile_scene(scene, method, lab_.validator, error);
+    if (bytes.empty()) fmt::print(stderr, "{}\n", error);
+    if (bytes.empty()) return;
+    for (const std::uint32_t size : map_sizes(lab_)) {
+      if (!is_feasible(method, size)) continue;
+      Settings settings;
+      settings.size = size;
+      const auto loaded = load_lab_scene(lab_.studio, bytes, settings);
+      for (const JudgedView& view : judged.views) {
+        write(scene, view, method, size, measure_errors(lab_.studio, *loaded, judged, view, shift_count(lab_, size)));
+      }
+    }
+  }
+
+  void write(const fs::path& scene, const JudgedView& view, const std::string& method, std::uint32_t size,
+             const MeanErrors& mean) {
+    const ShadowErrors& e = mean.errors;
+    file_ << csv_line({scene.stem().string(), view.frame.viewpoint, method},
+                      {double(size), double(view.truth.counted), double(view.truth.shadowed), e.wrong(), e.false_shadow,
+                       e.false_lit, e.mean_absolute, e.at_edge, e.near_edge, e.far_from_edge, mean.floor});
+    file_.flush();
+  }
+
+  Lab& lab_;
+  std::ofstream& file_;
+};
+
+}  // namespace
+
+void measure_all_errors(Lab& lab) {
+  std::ofstream file(lab.output / "errors.csv");
+  file << "scene,view,method,size,counted,shadowed,wrong,false_shadow,false_lit,mean_absolute,at_edge,near_edge,far_from_edge,"
+          "floor\n";
+  ErrorTable table(lab, file);
+  for (const fs::path& scene : lab.scenes) table.add_scene(scene);
+}
+
+}  // namespace plugc

@@ -1,0 +1,116 @@
+// The truth is traced once a view; the pictures are what is drawn again and again.
+
+#include "shadows/lab_scene.h"
+
+#include <cmath>
+
+#include "shadows/floor.h"
+
+namespace plugc {
+namespace {
+
+View camera_of(const LoadedScene& scene, const FrameOptions& frame) {
+  Messages messages;
+  return make_camera(*scene.packed, scene.slots, scene.world, frame.viewpoint, static_cast<double>(frame.width) / frame.height,
+                     messages);
+}
+
+bool is_drawn(const LoadedScene& scene, std::uint32_t map) {
+  return static_cast<bool>(scene.shadow_maps[map].texture);
+}
+
+JudgedView judge_view(Studio& studio, LabScene& scene, const JudgedScene& judged, const FrameOptions& frame,
+                      std::uint32_t map) {
+  JudgedView view;
+  view.frame = frame;
+  view.map = map;
+  FrameOptions without = frame;
+  without.shadows = false;
+  light_only(scene, map, 1);
+  view.calibration.unshadowed = studio.shoot(scene.loaded, without);
+  light_only(scene, map, 0);
+  view.calibration.dark = studio.shoot(scene.loaded, without);
+  const LoadedScene& loaded = scene.loaded;
+  view.light = light_source(*loaded.packed, loaded.packed->shadow_maps()->Get(map)->light(), loaded.slots, loaded.world);
+  view.truth =
+      trace_picture(view.calibration.unshadowed, loaded, judged.surfaces, *judged.tracer, map, camera_of(loaded, frame));
+  leave_out_unlit(view.truth, view.calibration);
+  return view;
+}
+
+void add(ShadowErrors& sum, const ShadowErrors& one, double weight) {
+  sum.false_shadow += weight * one.false_shadow;
+  sum.false_lit += weight * one.false_lit;
+  sum.mean_absolute += weight * one.mean_absolute;
+  sum.at_edge += weight * one.at_edge;
+  sum.near_edge += weight * one.near_edge;
+  sum.far_from_edge += weight * one.far_from_edge;
+}
+
+}  // namespace
+
+std::unique_ptr<LabScene> load_lab_scene(Studio& studio, const std::vector<std::uint8_t>& bytes, const Settings& settings) {
+  auto scene = std::make_unique<LabScene>();
+  scene->package = make_measurable(bytes, settings);
+  scene->loaded = studio.load(*scene->package.package);
+  return scene;
+}
+
+JudgedScene judge_scene(Studio& studio, LabScene& scene, const std::vector<FrameOptions>& views) {
+  JudgedScene judged;
+  LoadedScene& loaded = scene.loaded;
+  loaded.world = place(*loaded.package, *loaded.packed, loaded.slots);
+  judged.surfaces = read_surfaces(*loaded.package, *loaded.packed, loaded.world);
+  judged.tracer = std::make_unique<Tracer>(judged.surfaces);
+  for (const FrameOptions& frame : views) {
+    for (std::uint32_t map = 0; map < loaded.shadow_maps.size(); ++map) {
+      if (is_drawn(loaded, map)) judged.views.push_back(judge_view(studio, scene, judged, frame, map));
+    }
+  }
+  return judged;
+}
+
+void light_only(LabScene& scene, std::uint32_t map, double share) {
+  const std::uint32_t measured = scene.loaded.packed->shadow_maps()->Get(map)->light();
+  for (std::uint32_t i = 0; i < scene.package.lights.size(); ++i) {
+    const LightSlots& slots = scene.package.lights[i];
+    const double on = i == measured ? 1 : 0;
+    const double intensity = i == measured ? share * kMeasuringIntensity : 0;
+    scene.loaded.slots.set(slots.on, {&on, 1});
+    scene.loaded.slots.set(slots.intensity, {&intensity, 1});
+  }
+}
+
+MapProjection projection_of(const LabScene& scene, std::uint32_t map) {
+  const ShadowMap& drawn = scene.loaded.shadow_maps[map];
+  return {world_to_texture(drawn.view), static_cast<double>(drawn.size)};
+}
+
+std::vector<float> measure_visibility(Studio& studio, LabScene& scene, const JudgedView& view, const glm::dvec2& shift) {
+  light_only(scene, view.map, 1);
+  scene.loaded.shadow_maps[view.map].shift = shift;
+  forget_maps(scene.loaded);
+  return measured_visibility(studio.shoot(scene.loaded, view.frame), view.calibration);
+}
+
+MeanErrors measure_errors(Studio& studio, LabScene& scene, const JudgedScene& judged, const JudgedView& view, int shift_count) {
+  MeanErrors mean;
+  const std::vector<glm::dvec2> shifts = sub_texel_shifts(shift_count);
+  const double weight = 1.0 / static_cast<double>(shifts.size());
+  const CameraRays rays(camera_of(scene.loaded, view.frame), view.truth.width, view.truth.height);
+  for (const glm::dvec2& shift : shifts) {
+    const std::vector<float> visibility = measure_visibility(studio, scene, view, shift);
+    add(mean.errors, compare(view.truth, visibility, projection_of(scene, view.map), *judged.tracer, view.light), weight);
+  }
+  mean.floor = hard_map_floor(view.truth, rays, projection_of(scene, view.map));
+  return mean;
+}
+
+std::vector<glm::dvec2> sub_texel_shifts(int count) {
+  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(count))));
+  std::vector<glm::dvec2> shifts;
+  for (int i = 0; i < side * side; ++i) shifts.push_back((glm::dvec2(i % side, i / side) + 0.5) / double(side) - 0.5);
+  return shifts;
+}
+
+}  // namespace plugc

@@ -1,0 +1,108 @@
+// Vertices are read from the package's vertex buffers by their streams. That a shape has an alpha test stands in the recipe of
+// the program that it is seen with.
+
+#include "shadows/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+namespace plugc {
+namespace {
+
+const PackedStream* find_stream(const PackedMesh& mesh, PackedSemantic semantic) {
+  for (const PackedStream* stream : *mesh.streams()) {
+    if (stream->semantic() == semantic && stream->unit() == 0) return stream;
+  }
+  return nullptr;
+}
+
+glm::dvec3 read_vertex(const PackedMesh& mesh, const PackedStream& stream, std::uint32_t vertex) {
+  glm::vec3 value(0);
+  const std::size_t at = std::size_t{vertex} * mesh.stride() + stream.offset();
+  std::memcpy(&value, mesh.vertices()->data() + at, std::min<std::size_t>(stream.components(), 3) * sizeof(float));
+  return value;
+}
+
+/// One value an index.
+std::vector<glm::dvec3> read_corners(const PackedMesh& mesh, PackedSemantic semantic) {
+  std::vector<glm::dvec3> values;
+  const PackedStream* const stream = find_stream(mesh, semantic);
+  if (stream == nullptr) return values;
+  for (const std::uint32_t index : *mesh.indices()) values.push_back(read_vertex(mesh, *stream, index));
+  return values;
+}
+
+bool tests_alpha(const PackedProgram& program) {
+  const std::string_view recipe = program.recipe()->string_view();
+  return recipe.substr(0, recipe.find(';')).find(" alpha_test") != std::string_view::npos;
+}
+
+std::optional<AlphaTest> find_alpha_test(const Package& package, const ShapePrograms& use) {
+  if (!tests_alpha(*package.programs()->Get(use.program))) return std::nullopt;
+  for (const PackedBinding* binding : *use.bindings) {
+    if (binding->source() != PackedSource::texture) continue;
+    const PackedTexture& texture = *package.textures()->Get(binding->a());
+    const PackedImage& image = *package.images()->Get(texture.image());
+    if (image.channels() == 2 || image.channels() == 4) return AlphaTest{&texture, &image};
+  }
+  return std::nullopt;
+}
+
+int wrapped(int texel, int size, PackedWrap wrap) {
+  if (wrap == PackedWrap::clamp_to_edge) return std::clamp(texel, 0, size - 1);
+  const int period = wrap == PackedWrap::repeat ? size : 2 * size;
+  const int within = ((texel % period) + period) % period;
+  return within < size ? within : period - 1 - within;
+}
+
+double texel_alpha(const AlphaTest& test, int x, int y) {
+  const PackedImage& image = *test.image;
+  const int width = static_cast<int>(image.width());
+  const int column = wrapped(x, width, test.texture->wrap_s());
+  const int row = wrapped(y, static_cast<int>(image.height()), test.texture->wrap_t());
+  const auto at = static_cast<std::uint32_t>((row * width + column) * image.channels() + image.channels() - 1);
+  return image.pixels()->Get(at) / 255.0;
+}
+
+}  // namespace
+
+std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const World& world) {
+  std::vector<Surface> surfaces;
+  const std::uint32_t count = scene.shapes()->size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const PackedShape& shape = *scene.shapes()->Get(i);
+    const PackedMesh& mesh = *package.meshes()->Get(shape.mesh());
+    if (!world.shape_visible[i] || mesh.topology() != PackedTopology::triangles) continue;
+    const ShapePrograms use = shape_programs(shape, world.shape_variant[i]);
+    Surface surface;
+    surface.shape = i;
+    surface.to_world = world.at(shape.transform()).matrix;
+    surface.points = read_corners(mesh, PackedSemantic::position);
+    surface.alpha_test = find_alpha_test(package, use);
+    if (surface.alpha_test) {
+      for (const glm::dvec3& corner : read_corners(mesh, PackedSemantic::tex_coord)) surface.tex_coords.emplace_back(corner);
+    }
+    surface.casts = use.depth_program >= 0;
+    surface.may_move = !shape.bounds_known();
+    surfaces.push_back(std::move(surface));
+  }
+  return surfaces;
+}
+
+double alpha_at(const AlphaTest& test, const glm::dvec2& tex_coord) {
+  const glm::dvec2 texel = tex_coord * glm::dvec2(test.image->width(), test.image->height());
+  if (test.texture->magnification() == PackedFilter::nearest) {
+    return texel_alpha(test, static_cast<int>(std::floor(texel.x)), static_cast<int>(std::floor(texel.y)));
+  }
+  const glm::dvec2 low = glm::floor(texel - 0.5);
+  const glm::dvec2 part = texel - 0.5 - low;
+  const int x = static_cast<int>(low.x);
+  const int y = static_cast<int>(low.y);
+  const double below = glm::mix(texel_alpha(test, x, y), texel_alpha(test, x + 1, y), part.x);
+  const double above = glm::mix(texel_alpha(test, x, y + 1), texel_alpha(test, x + 1, y + 1), part.x);
+  return glm::mix(below, above, part.y);
+}
+
+}  // namespace plugc

@@ -1,0 +1,47 @@
+#pragma once
+// Rays to a light, by Embree: what is between it and a point.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "shadows/surfaces.h"
+
+namespace plugc {
+
+/// A triangle of a shape; rays that leave it ignore it.
+struct TriangleId {
+  std::uint32_t shape = 0;
+  std::uint32_t triangle = 0;
+};
+
+/// Where light comes from: along a direction (unit, towards the light), or from a place. World space.
+struct LightSource {
+  bool directional = true;
+  glm::dvec3 towards{0, 0, 1};
+  glm::dvec3 place{0};
+};
+
+/// The casters of a scene. Coordinates are taken from the scene's centre, so that a scene far from its origin loses nothing
+/// when they become floats.
+class Tracer {
+ public:
+  explicit Tracer(const std::vector<Surface>& surfaces);
+  ~Tracer();
+  Tracer(const Tracer&) = delete;
+  Tracer& operator=(const Tracer&) = delete;
+
+  /// Whether something stands between the point and the light. Rays begin 1e-5 of the scene's size from the point.
+  bool shadowed(const glm::dvec3& point, const TriangleId& from, const LightSource& light) const;
+
+  /// The diagonal of the box around all surfaces.
+  double scene_size() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace plugc
