@@ -92,30 +92,39 @@ void add(const ValidationStatistics& validation, CompileStatistics& sum) {
   sum.rechecks += validation.rechecks;
 }
 
-SceneParts compile_scene(LoadedScene loaded, const CompileOptions& options, FileAccess& files, Validator& validator,
-                         SourceSet& sources, Diagnostics& diagnostics, CompileStatistics& statistics) {
+/// What every verb does with a scene: from recipes to programs that are valid.
+PreparedScene make_programs(LoadedScene loaded, PreparedFor purpose, const CompileOptions& options, FileAccess& files,
+                            TemplateLibrary& templates, Validator& validator, Diagnostics& diagnostics,
+                            CompileStatistics& statistics) {
   auto timer = std::make_unique<PhaseTimer>(statistics.prepare);
   if (const auto& pair = options.arrangement) arrange_pair(loaded.scene, pair->first, pair->second, pair->order);
   MeshCache meshes;
-  PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics, meshes);
+  PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), purpose, files, diagnostics, meshes);
   // from here geometry is triangles, images are pixels, effects are outlined, and every shape has its recipe
   timer.reset();
-  TemplateLibrary templates(sources);
   ValidationStatistics validation;
-  const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
-  prepared.parts.programs =
-      validate_states(prepared.recipes, input, {options.targets, options.optimize}, validator, diagnostics, validation);
-  for (const ValidRecipe& program : prepared.parts.programs) {
-    prepared.parts.program_names.push_back(to_text(program.used, prepared.parts.scene));
-  }
-  if (options.measure) {
-    for (const ValidRecipe& program : prepared.parts.programs)
-      prepared.parts.costs.push_back(measure_costs(program.used, input, options.targets.front(), sources, validator));
-  }
-  // from here no PLUG marker remains, every program is valid and named by what it holds
+  prepared.parts.programs = validate_states(prepared.recipes, compose_input(prepared, templates),
+                                            {options.targets, options.optimize}, validator, diagnostics, validation);
+  // from here no PLUG marker remains, and every program is valid
   add(validation, statistics);
   if (options.for_lint) lint_scene(prepared.parts.scene, prepared.effects, diagnostics);
-  return std::move(prepared.parts);
+  return prepared;
+}
+
+SceneParts compile_scene(LoadedScene loaded, const CompileOptions& options, FileAccess& files, Validator& validator,
+                         SourceSet& sources, Diagnostics& diagnostics, CompileStatistics& statistics) {
+  TemplateLibrary templates(sources);
+  PreparedScene prepared =
+      make_programs(std::move(loaded), PreparedFor::drawing, options, files, templates, validator, diagnostics, statistics);
+  SceneParts& parts = prepared.parts;
+  for (const ValidRecipe& program : parts.programs) {
+    parts.program_names.push_back(to_text(program.used, parts.scene));
+    if (options.measure)
+      parts.costs.push_back(
+          measure_costs(program.used, compose_input(prepared, templates), options.targets.front(), sources, validator));
+  }
+  // from here every program is named by what it holds
+  return std::move(parts);
 }
 
 /// A file without shapes: each of its effects on the built-in stage.
@@ -150,13 +159,17 @@ std::vector<SceneParts> compile_file(const std::filesystem::path& path, const Co
   return parts;
 }
 
-void report_unknown_dynamic(const std::vector<std::string>& names, const std::vector<SceneParts>& parts,
+std::vector<std::string> known_dynamic(const std::vector<SceneParts>& parts) {
+  std::vector<std::string> known;
+  for (const SceneParts& part : parts)
+    known.insert(known.end(), part.scene.known_dynamic.begin(), part.scene.known_dynamic.end());
+  return known;
+}
+
+void report_unknown_dynamic(const std::vector<std::string>& names, const std::vector<std::string>& known,
                             Diagnostics& diagnostics) {
   for (const std::string& name : names) {
-    const bool known = std::ranges::any_of(parts, [&](const SceneParts& part) {
-      return std::ranges::find(part.scene.known_dynamic, name) != part.scene.known_dynamic.end();
-    });
-    if (known) continue;
+    if (std::ranges::find(known, name) != known.end()) continue;
     diagnostics.report(DiagnosticId::dynamic_field, {},
                        fmt::format("no node is named as `--dynamic {}` says; write `DEF.field`", name));
   }
@@ -172,12 +185,24 @@ Compilation compile(const std::vector<std::filesystem::path>& scenes, const Comp
     std::vector<SceneParts> made = compile_file(path, options, validator, sources, diagnostics, compilation);
     std::ranges::move(made, std::back_inserter(parts));
   }
-  report_unknown_dynamic(options.dynamic, parts, diagnostics);
+  report_unknown_dynamic(options.dynamic, known_dynamic(parts), diagnostics);
   const PhaseTimer timer(compilation.statistics.assemble);
   AssembledPackage assembled = assemble_package(std::move(parts), sources, fmt::format("plugc {}", PLUGC_VERSION));
   compilation.package = std::move(assembled.package);
   compilation.costs = std::move(assembled.costs);
   return compilation;
+}
+
+void lint(const std::filesystem::path& scene, CompileOptions options, Validator& validator, SourceSet& sources,
+          Diagnostics& diagnostics) {
+  options.for_lint = true;
+  DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
+  TemplateLibrary templates(sources);
+  CompileStatistics statistics;
+  LoadedScene loaded = load_scene(scene, options, files, sources, diagnostics);
+  const PreparedScene checked =
+      make_programs(std::move(loaded), PreparedFor::checking, options, files, templates, validator, diagnostics, statistics);
+  report_unknown_dynamic(options.dynamic, checked.parts.scene.known_dynamic, diagnostics);
 }
 
 std::string dump_stage(const std::filesystem::path& scene, std::string_view stage, const CompileOptions& options,
@@ -192,7 +217,8 @@ std::string dump_stage(const std::filesystem::path& scene, std::string_view stag
   std::string text;
   if (stage != "recipes") return text;
   MeshCache meshes;
-  const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics, meshes);
+  const PreparedScene prepared =
+      prepare_scene(loaded.graph, std::move(loaded.scene), PreparedFor::checking, files, diagnostics, meshes);
   for (std::size_t i = 0; i < prepared.recipes.size(); ++i)
     text += fmt::format("{} {}\n", i, to_text(prepared.recipes[i].recipe, prepared.parts.scene));
   return text;
@@ -203,7 +229,8 @@ std::vector<SceneEffectPair> effect_pairs(const std::filesystem::path& scene, co
   DiskFiles files(options.root.empty() ? default_root(scene) : options.root);
   LoadedScene loaded = load_scene(scene, options, files, sources, diagnostics);
   MeshCache meshes;
-  const PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), files, diagnostics, meshes);
+  const PreparedScene prepared =
+      prepare_scene(loaded.graph, std::move(loaded.scene), PreparedFor::checking, files, diagnostics, meshes);
   const std::vector<SceneEffect>& effects = prepared.parts.scene.effects;
   std::vector<SceneEffectPair> pairs;
   for (EffectPair& pair : find_effect_pairs(prepared.parts.scene, prepared.effects)) {

@@ -33,7 +33,7 @@ struct CompileOptions {
   std::filesystem::path root;  ///< Folder that scenes may read; empty: default_root() of each.
   bool optimize = false;       ///< Programs that do less and draw the same, in place of readable ones.
   bool measure = false;        ///< Also find out what each effect costs (validate/measure_costs.h).
-  bool for_lint = false;       ///< Every effect, also in branches that are not drawn.
+  bool for_lint = false;       ///< Every effect, also in branches that are not drawn, and the rules of lint.
   /// What a file with effects but no shapes is tried on: teapot, sphere, box, plane; empty: nothing is put under it.
   std::string stage;
   bool library = false;  ///< A file with effects and no shape becomes a library: each effect alone on built-in shapes.
@@ -62,6 +62,11 @@ struct Compilation {
 /// Compiles scene files into one package. Mistakes are reported; what could be made is in the package.
 Compilation compile(const std::vector<std::filesystem::path>& scenes, const CompileOptions& options, Validator& validator,
                     SourceSet& sources, Diagnostics& diagnostics);
+
+/// Says of a scene what compile() says with `for_lint`, and makes no package: of images and geometry only what is to be
+/// checked, and what programs depend on.
+void lint(const std::filesystem::path& scene, CompileOptions options, Validator& validator, SourceSet& sources,
+          Diagnostics& diagnostics);
 
 /// Two effects that meet at a plug: compose/effect_pairs.h.
 struct SceneEffectPair {

@@ -48,7 +48,7 @@ class LibraryScene {
 
  private:
   SceneParts& parts() { return prepared_.parts; }
-  ComposeInput input() { return {prepared_.parts.scene, prepared_.effects, prepared_.shaders, templates_}; }
+  ComposeInput input() { return compose_input(prepared_, templates_); }
   int program_of(std::size_t kind) { return parts().shapes[first_shapes(parts().scene)[kind]].variants.front().program; }
 
   PreparedScene& prepared_;
@@ -162,7 +162,7 @@ std::vector<SceneParts> compile_library(const NodeGraph& graph, SourceSet& sourc
     Scene scene = build_scene(graph, sources, files, alone, diagnostics);
     if (scene.effects.empty()) continue;  // in another language: reported
     scene.name = scene.effects.front().label;
-    PreparedScene prepared = prepare_scene(graph, std::move(scene), files, diagnostics, meshes);
+    PreparedScene prepared = prepare_scene(graph, std::move(scene), PreparedFor::drawing, files, diagnostics, meshes);
     LibraryScene library(prepared, sources);
     library.choose_kinds(diagnostics);
     library.drop_other_kinds();

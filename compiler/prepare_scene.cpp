@@ -95,7 +95,7 @@ AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
   for (const TextureUse& texture : shape.textures) {
     if (texture.role != TextureRole::main) continue;
     const auto& image = parts.images[static_cast<std::size_t>(texture.texture)];
-    if (image != nullptr) use = std::max(use, alpha_use(*image));
+    if (image != nullptr) use = std::max(use, image->alpha);
   }
   return use;
 }
@@ -166,13 +166,14 @@ void prepare_recipes(PreparedScene& prepared) {
 
 }  // namespace
 
-PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics,
-                            MeshCache& meshes) {
+PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor purpose, FileAccess& files,
+                            Diagnostics& diagnostics, MeshCache& meshes) {
   PreparedScene prepared;
   SceneParts& parts = prepared.parts;
   parts.scene = std::move(scene);
   parts.shapes.resize(parts.scene.shapes.size());
-  parts.images = load_images(graph, parts.scene, files, diagnostics);
+  const auto detail = purpose == PreparedFor::drawing ? ImageDetail::pixels : ImageDetail::facts;
+  parts.images = load_images(graph, parts.scene, files, diagnostics, detail);
   drop_missing_textures(parts.scene, parts.images);
   // from here textures have their final numbers, which those of texture coordinates follow
   prepare_meshes(graph, parts, meshes, diagnostics);

@@ -9,6 +9,7 @@
 #include "base/diagnostics.h"
 #include "base/file_access.h"
 #include "compose/code_unit.h"
+#include "compose/compose.h"
 #include "compose/recipe.h"
 #include "compose/shape_states.h"
 #include "mesh/unit_coords.h"
@@ -24,10 +25,21 @@ struct PreparedScene {
   std::vector<StateRecipe> recipes;          ///< Each once; `parts.shapes` index it.
 };
 
+/// What composing sees of it.
+inline ComposeInput compose_input(const PreparedScene& prepared, TemplateLibrary& templates) {
+  return {prepared.parts.scene, prepared.effects, prepared.shaders, templates};
+}
+
 /// Meshes that several scenes of one graph share.
 using MeshCache = std::map<std::pair<NodeId, std::vector<UnitCoords>>, std::shared_ptr<const Mesh>>;
 
-PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, FileAccess& files, Diagnostics& diagnostics,
-                            MeshCache& meshes);
+/// What a scene is prepared for. What is said of it and its recipes do not depend on that.
+enum class PreparedFor : std::uint8_t {
+  drawing,
+  checking,  ///< Images have no pixels.
+};
+
+PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor purpose, FileAccess& files,
+                            Diagnostics& diagnostics, MeshCache& meshes);
 
 }  // namespace plugc

@@ -34,7 +34,6 @@ LintedFiles lint_files(const std::vector<std::filesystem::path>& files, const Li
   CommonOptions one_job = options.common;
   one_job.jobs = 1;
   CompileOptions compile_with = compile_options(options.common);
-  compile_with.for_lint = true;
   compile_with.stage = "teapot";
   std::vector<Validator> validators;
   const std::size_t jobs = std::clamp<std::size_t>(files.size(), 1, options.common.jobs);
@@ -44,7 +43,7 @@ LintedFiles lint_files(const std::vector<std::filesystem::path>& files, const Li
   const auto work = [&](Validator& validator) {
     for (std::size_t i = next++; i < files.size(); i = next++) {
       linted[i] = std::make_unique<LintedFile>();
-      compile({files[i]}, compile_with, validator, linted[i]->sources, linted[i]->diagnostics);
+      lint(files[i], compile_with, validator, linted[i]->sources, linted[i]->diagnostics);
     }
   };
   std::vector<std::jthread> threads;
@@ -53,7 +52,7 @@ LintedFiles lint_files(const std::vector<std::filesystem::path>& files, const Li
   return linted;
 }
 
-int lint(const LintOptions& options) {
+int run_lint(const LintOptions& options) {
   const std::vector<std::filesystem::path> files = scene_files(options.paths);
   const LintedFiles linted = lint_files(files, options);
   SourceSet sources;
@@ -86,7 +85,7 @@ void add_lint_command(CLI::App& app, int& status) {
   verb->footer(
       "Each message names the author's file, line and column, and a stable code in brackets.\n\n"
       "Example: plugc lint --format github effects/");
-  verb->callback([options, &status] { status = lint(*options); });
+  verb->callback([options, &status] { status = run_lint(*options); });
 }
 
 }  // namespace plugc

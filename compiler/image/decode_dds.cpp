@@ -135,6 +135,7 @@ DecodedImage decode_dds(std::string_view bytes) {
   Image image;
   allocate(image, header.width, header.height, channels.size(), header.is_cube() ? 6 : header.depth);
   copy_texels(bytes.substr(kHeaderBytes), header, channels, image);
+  image.alpha = alpha_use(image);
   return {std::move(image), {}};
 }
 

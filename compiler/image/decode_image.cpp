@@ -20,10 +20,15 @@ constexpr std::string_view kDdsSignature = "DDS ";
 constexpr std::size_t kMaxExpansion = 8 * 1032;
 constexpr std::size_t kAlwaysAllowed = 1 << 16;
 
-DecodedImage decode_by_content(std::string_view bytes) {
+DecodedImage decode_by_content(std::string_view bytes, ImageDetail detail) {
   if (bytes.empty()) return {{}, "the file is empty"};
-  if (bytes.starts_with(kPngSignature)) return decode_png(bytes);
-  if (bytes.starts_with(kJpegSignature)) return decode_jpeg(bytes);
+  if (bytes.starts_with(kPngSignature)) {
+    if (detail == ImageDetail::facts) {
+      if (std::optional<Image> scanned = scan_png(bytes)) return {std::move(scanned), {}};
+    }
+    return decode_png(bytes);
+  }
+  if (bytes.starts_with(kJpegSignature)) return decode_jpeg(bytes, detail);
   if (bytes.starts_with(kDdsSignature)) return decode_dds(bytes);
   return {{}, "it is none of PNG, JPEG and DDS; convert it to one of them"};
 }
@@ -39,19 +44,26 @@ std::string size_problem(std::size_t width, std::size_t height, std::size_t chan
   return {};
 }
 
-void allocate(Image& image, std::size_t width, std::size_t height, std::size_t channels, std::size_t depth) {
+void set_size(Image& image, std::size_t width, std::size_t height, std::size_t channels, std::size_t depth) {
   image.width = static_cast<std::uint32_t>(width);
   image.height = static_cast<std::uint32_t>(height);
   image.depth = static_cast<std::uint32_t>(depth);
   image.channels = static_cast<std::uint32_t>(channels);
+}
+
+void allocate(Image& image, std::size_t width, std::size_t height, std::size_t channels, std::size_t depth) {
+  set_size(image, width, height, channels, depth);
   image.pixels.resize(width * height * channels * depth);
 }
 
-std::optional<Image> decode_image(std::string_view bytes, std::string_view name, const Span& span, Diagnostics& diagnostics) {
-  DecodedImage decoded = decode_by_content(bytes);
+std::optional<Image> decode_image(std::string_view bytes, std::string_view name, const Span& span, Diagnostics& diagnostics,
+                                  ImageDetail detail) {
+  DecodedImage decoded = decode_by_content(bytes, detail);
   if (!decoded.image)
     diagnostics.report(DiagnosticId::image_invalid, span,
                        fmt::format("cannot decode the image `{}`: {}", name, decoded.problem));
+  else if (detail == ImageDetail::facts)
+    decoded.image->pixels = {};
   return std::move(decoded.image);
 }
 

@@ -17,7 +17,10 @@ struct DecodedImage {
 };
 
 DecodedImage decode_png(std::string_view bytes);
-DecodedImage decode_jpeg(std::string_view bytes);
+/// A PNG of the usual kind (8 bits a channel, no palette, no interlacing) without its pixels, several times faster; nullopt
+/// where only decode_png() can tell, among them everything that is broken.
+std::optional<Image> scan_png(std::string_view bytes);
+DecodedImage decode_jpeg(std::string_view bytes, ImageDetail detail);
 /// Pictures, volumes and cube maps in DirectDraw surfaces of 8 bits a channel. Mipmaps are passed over.
 DecodedImage decode_dds(std::string_view bytes);
 
@@ -25,7 +28,11 @@ DecodedImage decode_dds(std::string_view bytes);
 /// that a few bytes could stand for gigabytes, so a file that says so is broken or hostile.
 std::string size_problem(std::size_t width, std::size_t height, std::size_t channels, std::size_t file_bytes);
 
+void set_size(Image& image, std::size_t width, std::size_t height, std::size_t channels, std::size_t depth = 1);
 /// Gives the image its size and zeroed pixels.
 void allocate(Image& image, std::size_t width, std::size_t height, std::size_t channels, std::size_t depth = 1);
+
+/// How these pixels use alpha.
+AlphaUse alpha_use(const Image& image);
 
 }  // namespace plugc

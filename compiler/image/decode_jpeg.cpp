@@ -1,6 +1,7 @@
 // JPEG through libjpeg: grey stays one channel, everything else becomes RGB (CMYK by multiplying with black). libjpeg reports
 // errors by our jump, so the function that calls setjmp owns nothing that must be destroyed. A file that ends early is an
-// error here, not the grey rest that libjpeg would supply; a file of endless scans over one image is stopped.
+// error here, not the grey rest that libjpeg would supply; a file of endless scans over one image is stopped. Where no pixels
+// are wanted, each block of 8 x 8 becomes one: all codes of the file are read, but hardly anything is computed from them.
 
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs FILE
@@ -56,6 +57,11 @@ void cmyk_to_rgb(const std::uint8_t* cmyk, std::uint8_t* rgb, std::size_t width)
     for (int c = 0; c < 3; ++c) rgb[c] = static_cast<std::uint8_t>((cmyk[c] * cmyk[3] + 127) / 255);
 }
 
+void pass_over_rows(jpeg_decompress_struct& jpeg, std::vector<std::uint8_t>& line) {
+  JSAMPROW target = line.data();
+  while (jpeg.output_scanline < jpeg.output_height) jpeg_read_scanlines(&jpeg, &target, 1);
+}
+
 void read_rows(jpeg_decompress_struct& jpeg, Image& image, std::vector<std::uint8_t>& line) {
   const bool cmyk = jpeg.output_components == 4;
   while (jpeg.output_scanline < jpeg.output_height) {
@@ -74,7 +80,7 @@ bool note_size_problem(const jpeg_decompress_struct& jpeg, JpegReading& reading,
 }
 
 // Reads into `image` and `line`, which the caller owns; false after a jump or with a problem noted.
-bool read_jpeg(jpeg_decompress_struct& jpeg, JpegReading& reading, std::string_view bytes, Image& image,
+bool read_jpeg(jpeg_decompress_struct& jpeg, JpegReading& reading, std::string_view bytes, ImageDetail detail, Image& image,
                std::vector<std::uint8_t>& line) {
   if (setjmp(reading.escape)) return false;
   jpeg_create_decompress(&jpeg);
@@ -87,23 +93,30 @@ bool read_jpeg(jpeg_decompress_struct& jpeg, JpegReading& reading, std::string_v
     jpeg.out_color_space = JCS_CMYK;
   else if (jpeg.jpeg_color_space != JCS_GRAYSCALE)
     jpeg.out_color_space = JCS_RGB;
+  if (detail == ImageDetail::facts) jpeg.scale_denom = DCTSIZE;
   jpeg_start_decompress(&jpeg);
-  allocate(image, jpeg.output_width, jpeg.output_height, jpeg.output_components == 1 ? 1 : 3);
   line.resize(std::size_t{jpeg.output_width} * 4);
-  read_rows(jpeg, image, line);
+  const std::size_t channels = jpeg.output_components == 1 ? 1 : 3;
+  if (detail == ImageDetail::facts) {
+    set_size(image, jpeg.image_width, jpeg.image_height, channels);
+    pass_over_rows(jpeg, line);
+  } else {
+    allocate(image, jpeg.output_width, jpeg.output_height, channels);
+    read_rows(jpeg, image, line);
+  }
   jpeg_finish_decompress(&jpeg);
   return true;
 }
 
 }  // namespace
 
-DecodedImage decode_jpeg(std::string_view bytes) {
+DecodedImage decode_jpeg(std::string_view bytes, ImageDetail detail) {
   JpegReading reading{};
   jpeg_decompress_struct jpeg{};
   Image image;
   std::vector<std::uint8_t> line;
   install_callbacks(jpeg, reading);
-  const bool ok = read_jpeg(jpeg, reading, bytes, image, line);
+  const bool ok = read_jpeg(jpeg, reading, bytes, detail, image, line);
   jpeg_destroy_decompress(&jpeg);
   if (!ok) return {{}, reading.problem};
   return {std::move(image), {}};

@@ -78,6 +78,7 @@ DecodedImage decode_png(std::string_view bytes) {
   const bool ok = info != nullptr && read_png(png, info, reading, image, rows);
   png_destroy_read_struct(&png, &info, nullptr);
   if (!ok) return {{}, reading.problem};
+  image.alpha = alpha_use(image);
   return {std::move(image), {}};
 }
 

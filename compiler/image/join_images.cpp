@@ -60,9 +60,11 @@ Image join(std::span<const Image* const> images, auto turned) {
   joined.height = images[0]->height;
   joined.depth = static_cast<std::uint32_t>(images.size());
   joined.channels = common_channels(images);
+  for (const Image* image : images) joined.alpha = std::max(joined.alpha, image->alpha);
   const std::size_t count = std::size_t{joined.width} * joined.height;
-  joined.pixels.reserve(count * joined.depth * joined.channels);
+  if (!images[0]->pixels.empty()) joined.pixels.reserve(count * joined.depth * joined.channels);
   for (std::size_t i = 0; i < images.size(); ++i) {
+    if (images[i]->pixels.empty()) continue;  // only facts are wanted
     for (std::size_t texel = 0; texel < count; ++texel) {
       const std::size_t from = turned(i) ? count - 1 - texel : texel;
       append_texel(joined, images[i]->pixels.data() + from * images[i]->channels, images[i]->channels);

@@ -17,43 +17,44 @@ namespace {
 
 using ImagesByPath = std::map<std::filesystem::path, std::shared_ptr<const Image>>;
 
-std::shared_ptr<const Image> shared(std::optional<Image> image) {
-  return image ? std::make_shared<const Image>(std::move(*image)) : nullptr;
-}
-
-std::shared_ptr<const Image> load_data_url(const MappedText& url, const Span& span, Diagnostics& diagnostics) {
-  const std::string_view start = url.text().substr(0, std::min<std::size_t>(url.text().find(','), 64));
-  if (const auto bytes = data_url_bytes(url.text())) return shared(decode_image(*bytes, start, span, diagnostics));
-  diagnostics.report(DiagnosticId::image_invalid, span,
-                     "this `data:` url holds no readable image; write `data:image/png;base64,` and the file in base64");
-  return nullptr;
-}
-
-std::shared_ptr<const Image> load_url(const MappedText& url, const std::filesystem::path& base, ImagesByPath& loaded,
-                                      FileAccess& files, Diagnostics& diagnostics) {
-  const Span span = url.locate(0, url.size());
-  if (is_data_url(url.text())) return load_data_url(url, span, diagnostics);
-  const auto path = resolve_url(url.text(), base);
-  if (path) {
-    if (const auto found = loaded.find(*path); found != loaded.end()) return found->second;
-  }
-  const auto bytes = read_url(files, url.text(), base, span, diagnostics);
-  if (!bytes || !path) return nullptr;
-  return loaded[*path] = shared(decode_image(*bytes, url.text(), span, diagnostics));
-}
-
 /// What every loading function needs.
 struct Loading {
   const NodeGraph& graph;
   ImagesByPath& loaded;
   FileAccess& files;
   Diagnostics& diagnostics;
+  ImageDetail detail;
 };
+
+std::shared_ptr<const Image> shared(std::optional<Image> image) {
+  return image ? std::make_shared<const Image>(std::move(*image)) : nullptr;
+}
+
+std::shared_ptr<const Image> load_data_url(const Loading& l, const MappedText& url, const Span& span, Diagnostics& failures) {
+  const std::string_view start = url.text().substr(0, std::min<std::size_t>(url.text().find(','), 64));
+  if (const auto bytes = data_url_bytes(url.text())) return shared(decode_image(*bytes, start, span, failures, l.detail));
+  failures.report(DiagnosticId::image_invalid, span,
+                  "this `data:` url holds no readable image; write `data:image/png;base64,` and the file in base64");
+  return nullptr;
+}
+
+std::shared_ptr<const Image> load_url(const Loading& l, NodeId texture, const MappedText& url, Diagnostics& failures) {
+  const Span span = url.locate(0, url.size());
+  if (is_data_url(url.text())) return load_data_url(l, url, span, failures);
+  const std::filesystem::path base = l.graph.base_path(texture);
+  const auto path = resolve_url(url.text(), base);
+  if (path) {
+    if (const auto found = l.loaded.find(*path); found != l.loaded.end()) return found->second;
+  }
+  const auto bytes = read_url(l.files, url.text(), base, span, failures);
+  if (!bytes || !path) return nullptr;
+  return l.loaded[*path] = shared(decode_image(*bytes, url.text(), span, failures, l.detail));
+}
 
 std::shared_ptr<const Image> load_urls(const Loading& l, NodeId texture) {
   Diagnostics failures(l.diagnostics.sources());
   for (const MappedText& url : l.graph.field(texture, "url").strings) {
-    if (auto image = load_url(url, l.graph.base_path(texture), l.loaded, l.files, failures)) return image;
+    if (auto image = load_url(l, texture, url, failures)) return image;
   }
   for (const Diagnostic& failure : failures.all()) l.diagnostics.report(failure.id, failure.span, failure.message);
   return nullptr;
@@ -64,6 +65,7 @@ std::shared_ptr<const Image> finish(const Loading& l, NodeId texture, std::strin
     l.diagnostics.report(DiagnosticId::image_invalid, l.graph.field_span(texture, field),
                          fmt::format("this `{}` makes no image: {}", l.graph[texture].info->name, made.problem));
   }
+  if (made.image && l.detail == ImageDetail::facts) made.image->pixels = {};
   return shared(std::move(made.image));
 }
 
@@ -123,9 +125,9 @@ std::shared_ptr<const Image> load_texture(const Loading& l, NodeId texture) {
 }  // namespace
 
 std::vector<std::shared_ptr<const Image>> load_images(const NodeGraph& graph, const Scene& scene, FileAccess& files,
-                                                      Diagnostics& diagnostics) {
+                                                      Diagnostics& diagnostics, ImageDetail detail) {
   ImagesByPath loaded;
-  const Loading loading{graph, loaded, files, diagnostics};
+  const Loading loading{graph, loaded, files, diagnostics, detail};
   std::vector<std::shared_ptr<const Image>> images;
   for (const SceneTexture& texture : scene.textures) {
     images.push_back(texture.has_pixels ? load_texture(loading, texture.node) : nullptr);

@@ -13,7 +13,7 @@ namespace plugc {
 
 /// By texture of the scene; null where it has no pixels (SceneTexture::has_pixels), or none of its urls can be used (reported).
 std::vector<std::shared_ptr<const Image>> load_images(const NodeGraph& graph, const Scene& scene, FileAccess& files,
-                                                      Diagnostics& diagnostics);
+                                                      Diagnostics& diagnostics, ImageDetail detail = ImageDetail::pixels);
 
 /// Shapes are drawn without the textures whose image failed.
 void drop_missing_textures(Scene& scene, const std::vector<std::shared_ptr<const Image>>& images);

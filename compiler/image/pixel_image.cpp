@@ -32,6 +32,7 @@ DecodedImage read_pixels(std::span<const double> pixels, std::size_t channels, s
     const auto value = static_cast<std::uint32_t>(fits ? static_cast<std::int64_t>(pixel) : 0);
     for (std::size_t channel = channels; channel-- > 0;) *out++ = static_cast<std::uint8_t>(value >> (8 * channel));
   }
+  image.alpha = alpha_use(image);
   return {std::move(image), {}};
 }
 

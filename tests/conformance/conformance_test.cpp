@@ -255,6 +255,13 @@ void expect_diagnostics(const Compiled& compiled, CaseFile& file, std::string_vi
       << fmt::format("{}", fmt::join(expected, "\n  "));
 }
 
+/// Lint looks less closely at what is only drawn, but misses nothing that compiling says.
+void expect_equal_lint(const fs::path& scene, CompileOptions options) {
+  options.for_lint = true;
+  options.library = false;
+  EXPECT_EQ(lint_messages(scene, options), compile_file(scene, options).messages());
+}
+
 class CaseTest : public testing::Test {
  public:
   explicit CaseTest(CaseFile file) : file_(std::move(file)) {}
@@ -277,6 +284,7 @@ class CaseTest : public testing::Test {
     const Compiled compiled = compile_file(folder.path() / scene, options);
     expect_diagnostics(compiled, file_, name);
     for (const CaseSection& section : file_.sections) expect_section(compiled, section);
+    expect_equal_lint(folder.path() / scene, options);
     if (const CaseSection* graph = file_.find("graph")) expect_in_order(graph_text(folder.path() / scene, options), *graph);
   }
 

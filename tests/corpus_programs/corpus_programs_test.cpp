@@ -1,5 +1,6 @@
 // Every scene of the corpus that has shaders: its programs are valid for both dialects of GLSL, and the renderer's driver
-// compiles and links them without a word. Where the corpus does not lie beside the checkout, this is skipped.
+// compiles and links them without a word. And of every scene lint says the same as compiling all of it. Where the corpus does
+// not lie beside the checkout, this is skipped.
 
 #include <gtest/gtest.h>
 
@@ -31,13 +32,13 @@ bool has_shaders(const fs::path& scene) {
   return text.find("EffectPart") != std::string::npos || text.find("ShaderPart") != std::string::npos;
 }
 
-std::vector<std::string> shader_scenes() {
+std::vector<std::string> scenes_with(bool (*wanted)(const fs::path&)) {
   std::vector<std::string> scenes;
   std::error_code missing;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(corpus(), missing)) {
     const fs::path ending = entry.path().extension();
     const bool is_scene = ending == ".x3dv" || ending == ".x3d" || ending == ".wrl";
-    if (is_scene && has_shaders(entry.path())) scenes.push_back(entry.path().lexically_relative(corpus()).string());
+    if (is_scene && wanted(entry.path())) scenes.push_back(entry.path().lexically_relative(corpus()).string());
   }
   std::sort(scenes.begin(), scenes.end());
   return scenes;
@@ -87,13 +88,28 @@ TEST_P(CorpusPrograms, AreValidAndLinkWithoutAMessage) {
   if (compiled.package->programs()->size() > 0) draw_package(*compiled.package, 16, 16);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, CorpusPrograms, testing::ValuesIn(shader_scenes()), [](const auto& scene) {
+std::string test_name(const testing::TestParamInfo<std::string>& scene) {
   std::string name = scene.param;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, CorpusPrograms, testing::ValuesIn(scenes_with(has_shaders)), test_name);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(CorpusPrograms);
+
+class CorpusLint : public testing::TestWithParam<std::string> {};
+
+TEST_P(CorpusLint, SaysWhatCompilingSays) {
+  CompileOptions options;
+  options.root = corpus();
+  options.stage = "teapot";
+  options.for_lint = true;
+  EXPECT_EQ(lint_messages(corpus() / GetParam(), options), compile_file(corpus() / GetParam(), options).messages());
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, CorpusLint, testing::ValuesIn(scenes_with([](const fs::path&) { return true; })), test_name);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(CorpusLint);
 
 }  // namespace
 }  // namespace plugc

@@ -69,9 +69,10 @@ CheckedScene check_scene(const EffectScene& scene, FileAccess& files, Validator&
     read_scene(scene, true, files, checked);
   }
   MeshCache meshes;
-  PreparedScene prepared = prepare_scene(*checked.graph, std::move(checked.scene), files, *checked.diagnostics, meshes);
+  PreparedScene prepared =
+      prepare_scene(*checked.graph, std::move(checked.scene), PreparedFor::checking, files, *checked.diagnostics, meshes);
   TemplateLibrary templates(*checked.sources);
-  const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
+  const ComposeInput input = compose_input(prepared, templates);
   ValidationStatistics statistics;
   const std::vector<ValidRecipe> programs =
       validate_states(prepared.recipes, input, {{Target::glsl330}}, validator, *checked.diagnostics, statistics);

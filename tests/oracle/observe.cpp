@@ -61,10 +61,10 @@ Outcome observe_outcome(const std::string& text) {
   const SourceId source = sources.add("scene.x3dv", text);
   const NodeGraph graph = build_graph(read_document(source, sources, diagnostics), "scene.x3dv", sources, files, diagnostics);
   MeshCache meshes;
-  const PreparedScene prepared =
-      prepare_scene(graph, build_scene(graph, sources, files, {}, diagnostics), files, diagnostics, meshes);
+  const PreparedScene prepared = prepare_scene(graph, build_scene(graph, sources, files, {}, diagnostics),
+                                               PreparedFor::checking, files, diagnostics, meshes);
   TemplateLibrary templates(sources);
-  const ComposeInput input{prepared.parts.scene, prepared.effects, prepared.shaders, templates};
+  const ComposeInput input = compose_input(prepared, templates);
   std::vector<ProgramTrace> traces;
   for (const StateRecipe& one : prepared.recipes) {
     traces.push_back(trace_of(compose_without_faulty(one.recipe, input, diagnostics), prepared.parts.scene));

@@ -50,14 +50,30 @@ std::string message_line(const Diagnostic& diagnostic, const SourceSet& sources,
   return fmt::format("{} {} {}", place_text(diagnostic.span, sources, scene), diagnostic_kind(diagnostic.id).code, message);
 }
 
-std::vector<std::string> Compiled::messages() const {
-  std::vector<Diagnostic> sorted(diagnostics->all().begin(), diagnostics->all().end());
+namespace {
+
+std::vector<std::string> sorted_messages(const Diagnostics& diagnostics, const SourceSet& sources) {
+  std::vector<Diagnostic> sorted(diagnostics.all().begin(), diagnostics.all().end());
   std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.span.source.value, a.span.begin) < std::pair(b.span.source.value, b.span.begin);
   });
   std::vector<std::string> lines;
-  for (const Diagnostic& diagnostic : sorted) lines.push_back(message_line(diagnostic, *sources, sources->name({0})));
+  for (const Diagnostic& diagnostic : sorted) lines.push_back(message_line(diagnostic, sources, sources.name({0})));
   return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> Compiled::messages() const {
+  return sorted_messages(*diagnostics, *sources);
+}
+
+std::vector<std::string> lint_messages(const fs::path& scene, CompileOptions options) {
+  if (options.root.empty()) options.root = scene.parent_path();
+  SourceSet sources;
+  Diagnostics diagnostics(sources);
+  lint(scene, options, process_validator(), sources, diagnostics);
+  return sorted_messages(diagnostics, sources);
 }
 
 std::string Compiled::stage_text(std::uint32_t program, PackedStageKind stage) const {

@@ -42,6 +42,9 @@ struct Compiled {
   std::string stage_text(std::uint32_t program, PackedStageKind stage) const;
 };
 
+/// What `plugc lint` says of a scene, as Compiled::messages() has it.
+std::vector<std::string> lint_messages(const std::filesystem::path& scene, CompileOptions options = {});
+
 /// The vertex and fragment texts of every program, in order.
 std::vector<std::string> program_texts(const Compiled& compiled);
 

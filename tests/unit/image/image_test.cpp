@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "image/decode_image.h"
 #include "image/write_png.h"
 
 namespace plugc {
@@ -72,7 +73,7 @@ TEST(Png, KeepsOneToFourChannels) {
 TEST(Png, ExpandsPalettesAndOtherDepthsToEightBits) {
   EXPECT_EQ(image_of("palette.png").channels, 3u);
   EXPECT_EQ(image_of("palette_transparent.png").channels, 4u);
-  EXPECT_EQ(alpha_use(image_of("palette_transparent.png")), AlphaUse::tested);
+  EXPECT_EQ(image_of("palette_transparent.png").alpha, AlphaUse::tested);
   EXPECT_EQ(image_of("one_bit.png").pixels.size(), 20u);
   EXPECT_THAT(image_of("one_bit.png").pixels, testing::Each(testing::AnyOf(0, 255)));
   EXPECT_THAT(pixel(image_of("grey16.png"), 1, 3), ElementsAre(12));
