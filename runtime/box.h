@@ -36,6 +36,8 @@ inline std::array<glm::dvec3, 8> corners(const Box& box) {
 
 /// Beyond this, and for NaN, a length cannot be drawn: floats end soon after, and their squares long before.
 inline constexpr double kLargestLength = 1e30;
+/// Below this, squares and reciprocals leave the range of floats.
+inline constexpr double kSmallestLength = 1e-30;
 
 /// The box around a box seen through an affine matrix; empty when a corner is no usable number.
 inline Box transformed(const Box& box, const glm::dmat4& matrix) {

@@ -30,7 +30,7 @@ bool compares(PackedUniformType type) {
 
 BoundTexture shadow_texture(LoadedScene& scene, const Pass& pass, std::uint32_t map, PackedUniformType type) {
   const gl::Texture& texture = scene.shadow_maps[map].texture;
-  const bool drawn = texture && scene.shadow_maps[map].drawn_revision != 0 && pass.shadows && !pass.depth_only;
+  const bool drawn = texture && scene.shadow_maps[map].in_use && pass.shadows && !pass.depth_only;
   if (drawn && type == PackedUniformType::sampler2DShadow) return {texture.id()};
   if (drawn && type == PackedUniformType::sampler2D) return {texture.id(), scene.resources.depth_picture_sampler().id()};
   return {scene.resources.stand_in(type, scene.shadow_maps[map].reversed).id()};

@@ -20,27 +20,40 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kSmallestSpotAngle = 1e-3;
 constexpr double kLargestSpotAngle = 0.95 * kPi;  // X3D's default cutOffAngle of pi/2 would ask for 180 degrees
 constexpr double kNearestSpotRatio = 1e-3;        // near / far
-constexpr double kNearestReversedRatio = 1e-6;    // the same where nearness costs nothing; a float's range ends far below
 constexpr double kDepthMargin = 0.01;             // of the fitted range, on both ends
 constexpr double kThinnest = 1e-6;                // a range of a flat scene, relative to its distance
-constexpr double kSmallestLength = 1e-30;         // below it, squares and reciprocals leave the range of floats
+constexpr std::size_t kMostReceiversTried = 256;  // one by one, for each flat caster
 
-struct Range {
-  double low = 0;
-  double high = 0;
-};
-
-/// The range with a margin, and never empty: a flat scene gets a thickness that its distance can resolve.
-Range widened(Range range, double margin) {
-  const double reach = std::max({std::abs(range.low), std::abs(range.high), kSmallestLength});
-  const double extra = std::max((range.high - range.low) * margin, reach * kThinnest);
-  return {range.low - extra, range.high + extra};
+bool all_known(const std::vector<PlacedBox>& boxes) {
+  return std::ranges::all_of(boxes, &PlacedBox::known);
 }
 
 Box box_in(const std::vector<PlacedBox>& boxes, const glm::dmat4& world_to_light) {
   Box all;
   for (const PlacedBox& placed : boxes) all = join(all, transformed(placed.box, world_to_light * placed.to_world));
   return all;
+}
+
+/// True for a flat shape behind which, seen from the light, nothing receives: a ground that everything stands on. It
+/// cannot shadow itself either, so it takes no part in the window, though as a caster it may be the largest.
+bool shadows_nothing(const PlacedBox& caster, const glm::dvec4& light, const FitInput& input, const Box& receivers) {
+  const glm::dvec3 size = caster.box.size();
+  const double thin = kThinnest * std::max({size.x, size.y, size.z});
+  const int axis = size.x <= thin ? 0 : size.y <= thin ? 1 : size.z <= thin ? 2 : -1;
+  if (axis < 0 || receivers.empty() || !caster.known) return false;
+  const glm::dmat3 axes(caster.to_world);
+  glm::dvec3 normal = glm::normalize(glm::cross(axes[(axis + 1) % 3], axes[(axis + 2) % 3]));
+  const glm::dvec3 center(caster.to_world * glm::dvec4(caster.box.center(), 1));
+  if (glm::dot(normal, glm::dvec3(light) - center * light.w) < 0) normal = -normal;
+  const double rounding = kThinnest * glm::length(receivers.size());
+  const auto on_lit_side = [&](const Box& box, const glm::dmat4& to_world) {
+    return std::ranges::all_of(corners(box), [&](const glm::dvec3& corner) {
+      return glm::dot(normal, glm::dvec3(to_world * glm::dvec4(corner, 1)) - center) >= -rounding;
+    });
+  };
+  if (on_lit_side(receivers, glm::dmat4(1.0))) return true;
+  return input.receivers.size() <= kMostReceiversTried &&
+         std::ranges::all_of(input.receivers, [&](const PlacedBox& one) { return on_lit_side(one.box, one.to_world); });
 }
 
 bool finite_as_float(const glm::dmat4& matrix) {
@@ -52,37 +65,6 @@ bool finite_as_float(const glm::dmat4& matrix) {
   return true;
 }
 
-/// `rectangle` is left, bottom, right, top.
-glm::dmat4 parallel(const glm::dvec4& rectangle, const Range& depth, bool reversed) {
-  glm::dmat4 matrix = glm::ortho(rectangle.x, rectangle.z, rectangle.y, rectangle.w, depth.low, depth.high);
-  if (!reversed) return matrix;
-  // Half of the range alone: a float near 0 would resolve more than the arithmetic before it, and offset less than that needs.
-  matrix[2][2] = 0.5 / (depth.high - depth.low);
-  matrix[3][2] = 1 + depth.low * matrix[2][2];
-  return matrix;
-}
-
-/// `window` is left, bottom, right, top at distance 1.
-glm::dmat4 perspective(const glm::dvec4& window, const Range& depth, bool reversed) {
-  const glm::dvec4 cut = window * depth.low;
-  glm::dmat4 matrix = glm::frustum(cut.x, cut.z, cut.y, cut.w, depth.low, depth.high);
-  if (!reversed) return matrix;
-  matrix[2][2] = 0;
-  matrix[3][2] = depth.low;
-  return matrix;
-}
-
-View checked(const View& view) {
-  if (finite_as_float(view.world_to_eye) && finite_as_float(view.projection) &&
-      finite_as_float(view.projection * view.world_to_eye)) {
-    return view;
-  }
-  View fallback = look_along(glm::dvec3(0), {0, 0, -1}, {0, 1, 0});
-  fallback.projection = parallel({-1, -1, 1, 1}, {-1, 1}, view.reversed);
-  fallback.reversed = view.reversed;
-  return fallback;
-}
-
 /// Distances along the direction. What the author wrote wins.
 Range chosen(const LightFrame& light, Range fitted) {
   if (light.near > 0) fitted.low = light.near;
@@ -92,42 +74,15 @@ Range chosen(const LightFrame& light, Range fitted) {
   return {fitted.low, fitted.low + std::max(std::abs(fitted.low), kSmallestLength)};
 }
 
-/// True for a flat shape behind which, seen from the light, nothing receives: a ground that everything stands on. It
-/// cannot shadow itself either, so it takes no part in the rectangle, though as a caster it may be the largest.
-bool shadows_nothing(const PlacedBox& caster, const glm::dvec3& direction, const Box& receivers) {
-  const glm::dvec3 size = caster.box.size();
-  const double thin = kThinnest * std::max({size.x, size.y, size.z});
-  const int axis = size.x <= thin ? 0 : size.y <= thin ? 1 : size.z <= thin ? 2 : -1;
-  if (axis < 0 || receivers.empty()) return false;
-  const glm::dmat3 axes(caster.to_world);
-  glm::dvec3 normal = glm::normalize(glm::cross(axes[(axis + 1) % 3], axes[(axis + 2) % 3]));
-  if (glm::dot(normal, direction) > 0) normal = -normal;
-  const glm::dvec3 center(caster.to_world * glm::dvec4(caster.box.center(), 1));
-  const double rounding = kThinnest * glm::length(receivers.size());
-  const auto all = corners(receivers);
-  return std::all_of(all.begin(), all.end(),
-                     [&](const glm::dvec3& corner) { return glm::dot(normal, corner - center) >= -rounding; });
-}
-
-/// The casters that can shadow a receiver.
-std::vector<PlacedBox> effective_casters(const FitInput& input, const glm::dvec3& direction) {
-  const Box receivers = box_in(input.receivers, glm::dmat4(1.0));
-  std::vector<PlacedBox> casters;
-  std::copy_if(input.casters.begin(), input.casters.end(), std::back_inserter(casters),
-               [&](const PlacedBox& caster) { return !shadows_nothing(caster, direction, receivers); });
-  return casters;
-}
-
 View fit_directional(const LightFrame& light, const FitInput& input) {
   View view = look_along(light.location, light.direction, light.up);
-  view.reversed = light.reversed;
-  const glm::dvec3 direction(-view.eye_to_world[2]);
-  const Box casters = box_in(input.may_move ? input.casters : effective_casters(input, direction), view.world_to_eye);
+  const bool may_move = !all_known(input.casters) || !all_known(input.receivers);
+  const Box casters = box_in(may_move ? input.casters : effective_casters(input, view, false), view.world_to_eye);
   const Box receivers = box_in(input.receivers, view.world_to_eye);
   Box around = join(casters, receivers);
   if (around.empty()) around = {glm::dvec3(-1), glm::dvec3(1)};
   const Box shadowed = intersect(casters, receivers);
-  const bool cut = !input.may_move && shadowed.min.x <= shadowed.max.x && shadowed.min.y <= shadowed.max.y;
+  const bool cut = !may_move && shadowed.min.x <= shadowed.max.x && shadowed.min.y <= shadowed.max.y;
   const Box& fitted = cut ? shadowed : around;
 
   glm::dvec4 rectangle = light.rectangle;
@@ -137,15 +92,8 @@ View fit_directional(const LightFrame& light, const FitInput& input) {
     const Range y = widened({fitted.min.y, fitted.max.y}, texel);
     rectangle = {x.low, y.low, x.high, y.high};
   }
-  const double last_receiver = receivers.empty() ? -around.min.z : -receivers.min.z;
-  if (light.reversed) {
-    // What casts from before the first receiver is clamped to it.
-    const bool known = !receivers.empty() && !input.may_move;
-    const Range depth = widened({known ? -receivers.max.z : -around.max.z, last_receiver}, kDepthMargin);
-    view.projection = parallel(rectangle, depth, true);
-    return view;
-  }
   const double first = -around.max.z;
+  const double last_receiver = receivers.empty() ? -around.min.z : -receivers.min.z;
   // Where the location is computed too, it lies where the boxes begin, and written distances count from there.
   const double start = light.located ? 0 : first;
   Range depth = widened({first, std::max(last_receiver, first)}, kDepthMargin);
@@ -166,21 +114,15 @@ double nearest_depth(const std::vector<PlacedBox>& boxes, const glm::dmat4& worl
 
 View fit_spot(const LightFrame& light, const FitInput& input) {
   View view = look_along(light.location, light.direction, light.up);
-  view.reversed = light.reversed;
   const Box receivers = box_in(input.receivers, view.world_to_eye);
   const double last_receiver = receivers.empty() ? 0 : -receivers.min.z;
   const double far = last_receiver > kSmallestLength ? last_receiver * (1 + kDepthMargin) : 1.0;
   const double nearest =
       nearest_depth(input.receivers, view.world_to_eye, nearest_depth(input.casters, view.world_to_eye, far));
   const double half = std::tan(std::clamp(light.angle, kSmallestSpotAngle, kLargestSpotAngle) / 2);
-  Range depth = {nearest * (1 - kDepthMargin), far};
-  if (light.reversed) {
-    depth.low = std::max(depth.low, far * kNearestReversedRatio);
-  } else {
-    depth = chosen(light, depth);
-    depth.low = light.near > 0 ? depth.low : std::max(depth.low, depth.high * kNearestSpotRatio);
-  }
-  view.projection = perspective({-half, -half, half, half}, depth, light.reversed);
+  Range depth = chosen(light, {nearest * (1 - kDepthMargin), far});
+  depth.low = light.near > 0 ? depth.low : std::max(depth.low, depth.high * kNearestSpotRatio);
+  view.projection = perspective({-half, -half, half, half}, depth, false);
   return view;
 }
 
@@ -229,8 +171,10 @@ LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, con
   const bool spot = light.kind() == PackedLightKind::spot;
   const double cut_off = slots.number(light.cut_off_angle(), kPi / 2);
   const double angle = slots.number(map.angle(), 0);
-  frame.angle = angle > 0 ? angle : 2 * cut_off;
+  frame.angle_written = angle > 0;
+  frame.angle = frame.angle_written ? angle : 2 * cut_off;
   if (!std::isfinite(frame.angle)) frame.angle = kLargestSpotAngle;
+  if (spot) frame.radius = slots.number(light.radius(), 100) * longer;
   if (!spot) frame.rectangle = slots.vector4(map.rectangle(), glm::dvec4(0)) * longer;
   check_distances(frame, light, messages);
   check_rectangle(frame, light, messages);
@@ -238,6 +182,52 @@ LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, con
   frame.location = glm::dvec3(place * glm::dvec4(own, 1));
   frame.located = own != glm::dvec3(0) || frame.rectangle != glm::dvec4(0);
   return frame;
+}
+
+Range widened(Range range, double margin) {
+  const double reach = std::max({std::abs(range.low), std::abs(range.high), kSmallestLength});
+  const double extra = std::max((range.high - range.low) * margin, reach * kThinnest);
+  return {range.low - extra, range.high + extra};
+}
+
+glm::dmat4 parallel(const glm::dvec4& rectangle, const Range& depth, bool reversed) {
+  glm::dmat4 matrix = glm::ortho(rectangle.x, rectangle.z, rectangle.y, rectangle.w, depth.low, depth.high);
+  if (!reversed) return matrix;
+  // Half of the range alone: a float near 0 would resolve more than the arithmetic before it, and offset less than that needs.
+  matrix[2][2] = 0.5 / (depth.high - depth.low);
+  matrix[3][2] = 1 + depth.low * matrix[2][2];
+  return matrix;
+}
+
+glm::dmat4 perspective(const glm::dvec4& window, const Range& depth, bool reversed) {
+  const glm::dvec4 cut = window * depth.low;
+  glm::dmat4 matrix = glm::frustum(cut.x, cut.z, cut.y, cut.w, depth.low, depth.high);
+  if (!reversed) return matrix;
+  matrix[2][2] = 0;
+  matrix[3][2] = depth.low;
+  return matrix;
+}
+
+View checked(const View& view) {
+  if (finite_as_float(view.world_to_eye) && finite_as_float(view.projection) &&
+      finite_as_float(view.projection * view.world_to_eye)) {
+    return view;
+  }
+  View fallback = look_along(glm::dvec3(0), {0, 0, -1}, {0, 1, 0});
+  fallback.projection = parallel({-1, -1, 1, 1}, {-1, 1}, view.reversed);
+  fallback.reversed = view.reversed;
+  return fallback;
+}
+
+std::vector<PlacedBox> effective_casters(const FitInput& input, const View& light, bool spot) {
+  const bool moves = std::ranges::any_of(input.receivers, [](const PlacedBox& placed) { return !placed.known; });
+  if (moves) return input.casters;
+  const Box receivers = box_in(input.receivers, glm::dmat4(1.0));
+  const glm::dvec4 towards = spot ? light.eye_to_world[3] : light.eye_to_world[2];
+  std::vector<PlacedBox> casters;
+  std::ranges::copy_if(input.casters, std::back_inserter(casters),
+                       [&](const PlacedBox& caster) { return !shadows_nothing(caster, towards, input, receivers); });
+  return casters;
 }
 
 View fit_light(const LightFrame& light, const FitInput& input) {

@@ -1,6 +1,7 @@
 #pragma once
 // What a light sees: the view and projection of its shadow map. Whatever the scene leaves at zero is fitted to the boxes
-// of the shapes that cast and of those that receive; the camera plays no part, so a still scene keeps its maps.
+// of the shapes that cast and of those that receive. Here, for maps that authors see: the camera plays no part, so that what a
+// light projects stays where it is. Maps of the renderer's own are fitted tighter (tight_fit.h).
 // Every result is finite, whatever goes in.
 
 #include <cstdint>
@@ -21,31 +22,54 @@ struct LightFrame {
   double near = 0;
   double far = 0;
   double angle = 0;            ///< Spot: full angle in radians.
+  bool angle_written = false;  ///< Else it is the light's own, and nothing outside of it is lit.
+  double radius = -1;          ///< Spot: how far the light reaches; negative: for ever.
   glm::dvec4 rectangle{0};     ///< Directional: left bottom right top.
   std::uint32_t map_size = 1;  ///< Texels along a side: how wide a margin of one texel is.
-  bool reversed = false;       ///< For a map that stores reversed depth: see fit_light.
+
+  bool operator==(const LightFrame&) const = default;
+};
+
+/// Distances, lengths or tangents.
+struct Range {
+  double low = 0;
+  double high = 0;
 };
 
 /// A box in a space of its own: seen from the light it is fitted tighter than the world's box around it.
 struct PlacedBox {
   Box box;
   glm::dmat4 to_world{1.0};
+  bool known = true;  ///< False: its program may move vertices out of the box.
 };
 
 struct FitInput {
   std::vector<PlacedBox> casters;
   std::vector<PlacedBox> receivers;
-  bool may_move = false;  ///< A shape among them has a program that may leave its box.
+  const View* camera = nullptr;  ///< Of what receives, only what it shows counts (tight_fit.h); null: all of it.
 };
 
 /// Reads a light's slots. Wrong values (near < 0, far <= near, left >= right, bottom >= top) are reported and become zero.
 LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, const Slots& slots, const World& world,
                        Messages& messages);
 
-/// What the light sees. With `reversed`, depths fall from 1: of a directional light to 1/2 at the last receiver, where a float
-/// resolves as much as at the first; of a spot light as near / distance, for which no distance is too far. Every receiver
-/// then has its place, so that written distances, which only save a map from coarse depths, are not needed.
+/// What the light sees in a map that authors see too: depths from 0 to 1, within the distances that are written, and all of a
+/// spot light's angle.
 View fit_light(const LightFrame& light, const FitInput& input);
+
+/// Fits a directional light's map: `rectangle` is left, bottom, right, top. Reversed depths fall from 1 to 1/2, where a float
+/// still resolves as much as at 1.
+glm::dmat4 parallel(const glm::dvec4& rectangle, const Range& depth, bool reversed);
+/// A spot light's: `window` is left, bottom, right, top at distance 1. Reversed depths are near / distance: none is too far.
+glm::dmat4 perspective(const glm::dvec4& window, const Range& depth, bool reversed);
+
+/// The range with a margin (a part of it) at both ends, and never empty: a flat scene gets a thickness that its distance can
+/// resolve.
+Range widened(Range range, double margin);
+/// The view, or one of nothing where it is not finite as floats.
+View checked(const View& view);
+/// The casters that can shadow a receiver, seen from a light with that view.
+std::vector<PlacedBox> effective_casters(const FitInput& input, const View& light, bool spot);
 
 /// World space to the map's texture space: x and y from 0 to 1, depth from 0 to 1 or as `reversed` says.
 glm::dmat4 world_to_texture(const View& light);

@@ -9,6 +9,7 @@
 
 #include "runtime/draw_shape.h"
 #include "runtime/gl/pass.h"
+#include "runtime/update_shadow_map.h"
 
 namespace plugc {
 namespace {
@@ -36,10 +37,7 @@ void place_scene(LoadedScene& scene) {
 void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t index, std::set<std::uint32_t>& programs,
                      FrameStatistics& statistics, Messages& messages) {
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
-  ShadowMap& map = scene.shadow_maps[index];
-  map.view = fit_shadow_map(*scene.package, *scene.packed, scene.slots, scene.world, index, map.reversed, messages);
-  map.view = shifted(map.view, map);
-  map.drawn_revision = scene.slots.revision();
+  const ShadowMap& map = scene.shadow_maps[index];
   gl::begin_depth_pass(gl, map.framebuffer, map.size, finite_offset(scene.slots.number(packed.scale(), 4)),
                        finite_offset(scene.slots.number(packed.bias(), 4)), map.reversed);
   Pass pass{map.view, true, false, std::vector<View>(scene.shadow_maps.size()), {}};
@@ -50,24 +48,16 @@ void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t 
   programs.merge(pass.programs);
 }
 
-void draw_shadow_maps(const gl::Functions& gl, LoadedScene& scene, std::set<std::uint32_t>& programs,
+void draw_shadow_maps(const gl::Functions& gl, LoadedScene& scene, const View& camera, std::set<std::uint32_t>& programs,
                       FrameStatistics& statistics, Messages& messages) {
   for (std::uint32_t i = 0; i < scene.shadow_maps.size(); ++i) {
-    if (must_be_fitted(scene.shadow_maps[i], scene.slots)) {
-      scene.shadow_maps[i].view = fit_shadow_map(*scene.package, *scene.packed, scene.slots, scene.world, i, false, messages);
-      scene.shadow_maps[i].drawn_revision = scene.slots.revision();
-    }
-    const PackedShadowUpdate update = scene.packed->shadow_maps()->Get(i)->update();
-    if (!must_be_drawn(scene.shadow_maps[i], update, scene.slots, scene.world)) continue;
-    draw_shadow_map(gl, scene, i, programs, statistics, messages);
+    if (update_shadow_map(scene, i, camera, messages)) draw_shadow_map(gl, scene, i, programs, statistics, messages);
   }
 }
 
-void draw_picture(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const FrameOptions& options,
+void draw_picture(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const View& camera, bool shadows,
                   std::set<std::uint32_t>& programs, FrameStatistics& statistics, Messages& messages) {
-  const double aspect = static_cast<double>(target.width) / target.height;
-  const View camera = make_camera(*scene.packed, scene.slots, scene.world, options.viewpoint, aspect, messages);
-  Pass pass{camera, false, options.shadows, {}, {}};
+  Pass pass{camera, false, shadows, {}, {}};
   for (const ShadowMap& map : scene.shadow_maps) pass.shadow_views.push_back(map.view);
   gl::begin_color_pass(gl, target.framebuffer, target.width, target.height, background_of(scene));
   for (const std::uint32_t shape : draw_order(scene, camera)) {
@@ -83,8 +73,10 @@ FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const Fr
   FrameStatistics statistics;
   place_scene(scene);
   std::set<std::uint32_t> programs;
-  if (options.shadows) draw_shadow_maps(gl, scene, programs, statistics, messages);
-  draw_picture(gl, scene, target, options, programs, statistics, messages);
+  const double aspect = static_cast<double>(target.width) / target.height;
+  const View camera = make_camera(*scene.packed, scene.slots, scene.world, options.viewpoint, aspect, messages);
+  if (options.shadows) draw_shadow_maps(gl, scene, camera, programs, statistics, messages);
+  draw_picture(gl, scene, target, camera, options.shadows, programs, statistics, messages);
   statistics.programs_used = static_cast<std::uint32_t>(programs.size());
   return statistics;
 }

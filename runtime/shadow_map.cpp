@@ -1,6 +1,4 @@
-// Textures are made once, with the scene. A map is fitted and drawn again when a slot has changed since it was drawn last:
-// a coarse rule and a safe one, for a package has no other moving part. The view is kept with the map, so that a map that
-// is drawn once (`next_frame_only`) goes on being looked up where its light stood then.
+// Textures are made once, with the scene.
 
 #include "runtime/shadow_map.h"
 
@@ -66,23 +64,6 @@ ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap&
   return map;
 }
 
-/// The boxes of all casters, and of the shapes that map `index` shadows.
-FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index) {
-  FitInput input;
-  const std::uint32_t shape_count = scene.shapes()->size();
-  for (std::uint32_t i = 0; i < shape_count; ++i) {
-    if (!world.shape_visible[i]) continue;
-    const PackedShape& shape = *scene.shapes()->Get(i);
-    const PlacedBox placed{mesh_bounds(*package.meshes()->Get(shape.mesh())), world.at(shape.transform()).matrix};
-    const bool caster = casts(scene, world, i);
-    const bool receiver = is_seen_from(shape, index, world.shape_variant[i]);
-    if (caster) input.casters.push_back(placed);
-    if (receiver) input.receivers.push_back(placed);
-    if ((caster || receiver) && !shape.bounds_known()) input.may_move = true;
-  }
-  return input;
-}
-
 }  // namespace
 
 std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages) {
@@ -97,19 +78,6 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
   return maps;
 }
 
-bool must_be_drawn(const ShadowMap& map, PackedShadowUpdate update, const Slots& slots, const World& world) {
-  if (!map.texture) return false;
-  const bool stale =
-      map.drawn_revision == 0 || (update == PackedShadowUpdate::always && map.drawn_revision != slots.revision());
-  return stale && std::ranges::any_of(map.readers, [&world](const MapReader& reader) {
-           return world.shape_visible[reader.shape] && world.shape_variant[reader.shape] == reader.variant;
-         });
-}
-
-bool must_be_fitted(const ShadowMap& map, const Slots& slots) {
-  return map.only_projects && map.drawn_revision != slots.revision();
-}
-
 bool casts(const PackedScene& scene, const World& world, std::uint32_t shape) {
   return world.shape_visible[shape] &&
          shape_programs(*scene.shapes()->Get(shape), world.shape_variant[shape]).depth_program >= 0;
@@ -122,11 +90,18 @@ View shifted(const View& view, const ShadowMap& map) {
   return moved;
 }
 
-View fit_shadow_map(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,
-                    std::uint32_t index, bool reversed, Messages& messages) {
-  LightFrame frame = light_frame(scene, *scene.shadow_maps()->Get(index), slots, world, messages);
-  frame.reversed = reversed;
-  return fit_light(frame, fit_input(package, scene, world, index));
+FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index) {
+  FitInput input;
+  const std::uint32_t shape_count = scene.shapes()->size();
+  for (std::uint32_t i = 0; i < shape_count; ++i) {
+    if (!world.shape_visible[i]) continue;
+    const PackedShape& shape = *scene.shapes()->Get(i);
+    const PlacedBox placed{mesh_bounds(*package.meshes()->Get(shape.mesh())), world.at(shape.transform()).matrix,
+                           shape.bounds_known()};
+    if (casts(scene, world, i)) input.casters.push_back(placed);
+    if (is_seen_from(shape, index, world.shape_variant[i])) input.receivers.push_back(placed);
+  }
+  return input;
 }
 
 }  // namespace plugc

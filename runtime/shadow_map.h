@@ -1,5 +1,5 @@
 #pragma once
-// The depth maps of a scene's lights: their textures, what each light sees, and when one must be drawn again.
+// The depth maps of a scene's lights: their textures, and what each light sees. When they are drawn: update_shadow_map.h.
 
 #include <cstdint>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "runtime/gl/target.h"
 #include "runtime/gl/texture.h"
 #include "runtime/messages.h"
-#include "runtime/projection.h"
+#include "runtime/tight_fit.h"
 
 namespace plugc {
 
@@ -24,9 +24,15 @@ struct ShadowMap {
   bool reversed = false;             ///< Stores depths that fall from 1 to 0: nobody but the renderer's own code reads them.
   std::vector<MapReader> readers;    ///< Whose programs look into it.
   bool only_projects = false;        ///< Never drawn, but some shape's texture coordinates are what its light sees.
-  View view;                         ///< What the light saw when the map was drawn last.
-  std::uint64_t drawn_revision = 0;  ///< Of the slots, at that time; 0: never.
-  glm::dvec2 shift{0};               ///< Texels that it is moved under the scene: measurements average over several.
+  bool in_use = false;               ///< In this frame; who looks into one that is not is lit.
+  View view;                         ///< What the light sees in the map.
+  std::uint64_t drawn_revision = 0;  ///< Of the slots, when it was drawn last; 0: never, or not as it has to be now.
+  std::vector<float> drawn_with;     ///< Every number that its content came from.
+  TightFit fit;                      ///< Made for these:
+  std::uint64_t fitted_revision = 0;
+  View fitted_camera;
+  FitMemory memory;
+  glm::dvec2 shift{0};  ///< Texels that it is moved under the scene: measurements average over several.
 };
 
 /// The view with the map moved by its `shift`.
@@ -35,18 +41,10 @@ View shifted(const View& view, const ShadowMap& map);
 /// One per PackedShadowMap. Sizes beyond what can be made, and lights that cannot have a map yet, are reported.
 std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages);
 
-/// Whether somebody visible looks into the map and it may differ from what it holds: it was never drawn, or it follows
-/// the scene (`always`) and a slot has changed since. Nothing but slots moves a light, a caster or an effect.
-bool must_be_drawn(const ShadowMap& map, PackedShadowUpdate update, const Slots& slots, const World& world);
-
-/// Whether its light must be looked from again, though the map is not drawn.
-bool must_be_fitted(const ShadowMap& map, const Slots& slots);
-
 /// Shapes that are drawn into depth maps: visible, with a depth program.
 bool casts(const PackedScene& scene, const World& world, std::uint32_t shape);
 
-/// What the light of map `index` sees now, for depths that are stored so.
-View fit_shadow_map(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,
-                    std::uint32_t index, bool reversed, Messages& messages);
+/// The boxes of all casters, and of the shapes that map `index` shadows or whose texture coordinates its light projects.
+FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index);
 
 }  // namespace plugc

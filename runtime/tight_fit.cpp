@@ -1,0 +1,246 @@
+// All in the light's own space, looking along -z. There a map is a window: of lengths x, y for a directional light, of
+// tangents x / depth, y / depth for a spot light. Receivers are cut to what the camera shows and the spot's cone holds; the
+// window around what remains, continued towards the light, is where casters matter; the window around casters in there is
+// what the map shows. Outside of it all is lit, as nothing casts there.
+//
+// Steps: a texel's size is one of a geometric series, the window's low end a whole number of texels (in cells of several), so
+// that equal demands give equal windows, whichever way the camera came. A window that was used last is kept as long as it
+// holds what is needed and is not much larger.
+
+#include "runtime/tight_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "runtime/hull.h"
+
+namespace plugc {
+namespace {
+
+constexpr double kMarginTexels = 2;             // that a filter may read beyond what is shadowed
+constexpr std::uint32_t kCellsPerSide = 64;     // steps by which the window moves
+constexpr std::uint32_t kSmallestSnapped = 32;  // maps with fewer texels along a side could not spare any
+constexpr double kTexelSteps = 16;              // sizes of a texel from one to its double
+constexpr double kKeptSize = 1.1;               // how much larger than needed a texel may be for its window to be kept
+constexpr double kKeptDepth = 4;                // the same for the depths
+constexpr double kDepthMargin = 0.01;
+constexpr double kNearestRatio = 1e-6;  // near / far of a spot light: nearness costs nothing, but floats end somewhere
+constexpr double kSmallestHalfAngle = 5e-4;
+constexpr double kLargestHalfAngle = 0.475 * std::numbers::pi;
+
+/// The light's own space, and the part of it that the light reaches.
+struct LightSpace {
+  View view;
+  bool spot = false;
+  double half_window = 0;  ///< Spot: tangent of half its angle.
+  Hull cone;               ///< Spot: without planes else.
+};
+
+/// From the light on through a window of tangents, to a distance.
+Hull cone_hull(const glm::dvec4& window, double far) {
+  Hull hull;
+  const glm::dvec3 apex(0);
+  const std::array<glm::dvec3, 4> ends = {glm::dvec3(window.x, window.y, -1) * far, glm::dvec3(window.z, window.y, -1) * far,
+                                          glm::dvec3(window.z, window.w, -1) * far, glm::dvec3(window.x, window.w, -1) * far};
+  for (std::size_t i = 0; i < ends.size(); ++i) hull.faces.push_back({apex, ends[i], ends[(i + 1) % ends.size()]});
+  hull.faces.push_back({ends.begin(), ends.end()});
+  hull.planes = {{1, 0, window.x, 0}, {-1, 0, -window.z, 0}, {0, 1, window.y, 0}, {0, -1, -window.w, 0}, {0, 0, 1, far}};
+  return hull;
+}
+
+double farthest(const FitInput& input, const glm::dmat4& world_to_light) {
+  double far = kSmallestLength;
+  for (const auto* boxes : {&input.casters, &input.receivers}) {
+    for (const PlacedBox& placed : *boxes) {
+      const Box seen = transformed(placed.box, world_to_light * placed.to_world);
+      if (!seen.empty()) far = std::max(far, -seen.min.z);
+    }
+  }
+  return far * (1 + kDepthMargin);
+}
+
+LightSpace light_space(const LightFrame& light, const FitInput& input) {
+  LightSpace space;
+  space.view = look_along(light.location, light.direction, light.up);
+  space.view.reversed = true;
+  space.spot = light.kind == PackedLightKind::spot;
+  if (!space.spot) return space;
+  const double half = std::tan(std::clamp(light.angle / 2, kSmallestHalfAngle, kLargestHalfAngle));
+  space.half_window = half;
+  const double far = farthest(input, space.view.world_to_eye);
+  space.cone = cone_hull({-half, -half, half, half}, light.radius > 0 ? std::min(far, light.radius) : far);
+  return space;
+}
+
+/// Window x, y and depth of points in the light's space.
+Box window_of(const LightSpace& space, const std::vector<glm::dvec3>& points, double far) {
+  Box box;
+  for (const glm::dvec3& point : points) {
+    const double depth = -point.z;
+    if (space.spot && !(depth > far * kNearestRatio)) continue;  // the light itself: the other ends say where to
+    const glm::dvec3 found =
+        space.spot ? glm::dvec3(point.x / depth, point.y / depth, depth) : glm::dvec3(point.x, point.y, depth);
+    box.min = glm::min(box.min, found);
+    box.max = glm::max(box.max, found);
+  }
+  return box;
+}
+
+Box common_window(const LightSpace& space, std::initializer_list<const Hull*> hulls, double far) {
+  std::vector<const Hull*> present;
+  for (const Hull* hull : hulls) {
+    if (hull != nullptr) present.push_back(hull);
+  }
+  return window_of(space, common_points(present), far);
+}
+
+bool any_unknown(const std::vector<PlacedBox>& boxes) {
+  return std::ranges::any_of(boxes, [](const PlacedBox& placed) { return !placed.known; });
+}
+
+/// The window of all that receives and can be seen; a receiver without known bounds may be anywhere that is in view.
+Box receivers_window(const LightSpace& space, const FitInput& input, double far) {
+  const Hull* const cone = space.spot ? &space.cone : nullptr;
+  Hull camera;
+  if (input.camera != nullptr) {
+    camera = view_hull(input.camera->world_to_eye * space.view.eye_to_world, input.camera->projection);
+  }
+  const Hull* const view = input.camera != nullptr ? &camera : nullptr;
+  Box window;
+  for (const PlacedBox& placed : input.receivers) {
+    const Hull hull = hull_of(placed.box, space.view.world_to_eye * placed.to_world);
+    window = join(window, common_window(space, {&hull, view, cone}, far));
+  }
+  if (!any_unknown(input.receivers)) return window;
+  if (view != nullptr || cone != nullptr) return join(window, common_window(space, {view, cone}, far));
+  for (const PlacedBox& placed : input.casters) {
+    const Hull hull = hull_of(placed.box, space.view.world_to_eye * placed.to_world);
+    window = join(window, common_window(space, {&hull}, far));
+  }
+  return window;
+}
+
+/// From what receives towards the light.
+Hull casting_space(const LightSpace& space, const FitInput& input, const Box& receivers) {
+  if (space.spot) return cone_hull({receivers.min.x, receivers.min.y, receivers.max.x, receivers.max.y}, receivers.max.z);
+  double first = -receivers.min.z;
+  for (const PlacedBox& placed : input.casters) {
+    const Box seen = transformed(placed.box, space.view.world_to_eye * placed.to_world);
+    if (!seen.empty()) first = std::max(first, seen.max.z);
+  }
+  return hull_of({{receivers.min.x, receivers.min.y, -receivers.max.z}, {receivers.max.x, receivers.max.y, first}},
+                 glm::dmat4(1.0));
+}
+
+/// The window, within that of the receivers, where something casts.
+Box casters_window(const LightSpace& space, const FitInput& input, const Box& receivers, double far) {
+  if (any_unknown(input.casters)) return receivers;
+  const Hull where = casting_space(space, input, receivers);
+  Box window;
+  for (const PlacedBox& placed : effective_casters(input, space.view, space.spot)) {
+    const Hull hull = hull_of(placed.box, space.view.world_to_eye * placed.to_world);
+    window = join(window, common_window(space, {&hull, &where}, far));
+  }
+  return window;
+}
+
+/// A range of `size` texels around what is needed, its texel from a geometric series and its low end on a grid.
+Range in_steps(Range needed, std::uint32_t size) {
+  needed = widened(needed, 0);
+  if (size < kSmallestSnapped) return widened(needed, 1.0 / std::max(size, 16U));
+  const double cell = std::max(size / kCellsPerSide, 1U);
+  const double usable = size - 2 * kMarginTexels - cell;
+  const double texel = std::exp2(std::ceil(std::log2((needed.high - needed.low) / usable) * kTexelSteps) / kTexelSteps);
+  const double low = std::floor((needed.low / texel - kMarginTexels) / cell) * cell * texel;
+  return {low, low + size * texel};
+}
+
+Range depth_in_steps(const Range& needed) {
+  const double step = std::exp2(std::ceil(std::log2(needed.high - needed.low) * 2) / 2) / 8;
+  return {std::floor(needed.low / step) * step, std::ceil(needed.high / step) * step};
+}
+
+bool holds(const Range& range, const Range& needed) {
+  return range.low <= needed.low && needed.high <= range.high;
+}
+
+bool still_serves(const Range& kept, const Range& needed, const Range& fresh, std::uint32_t size) {
+  const double margin = (kept.high - kept.low) / size * kMarginTexels;
+  return holds(kept, {needed.low - margin, needed.high + margin}) &&
+         kept.high - kept.low <= (fresh.high - fresh.low) * kKeptSize;
+}
+
+/// Window and depths that hold `needed`: those of the memory, or new ones.
+void choose(const LightSpace& space, const LightFrame& light, const Box& needed, FitMemory& memory) {
+  const Range x = {needed.min.x, needed.max.x};
+  const Range y = {needed.min.y, needed.max.y};
+  const Range fresh_x = in_steps(x, light.map_size);
+  const Range fresh_y = in_steps(y, light.map_size);
+  Range depth = widened({needed.min.z, needed.max.z}, kDepthMargin);
+  if (space.spot) depth.low = std::max(depth.low, depth.high * kNearestRatio);
+  const Range fresh_depth = space.spot ? Range{std::exp2(std::floor(std::log2(depth.low))), depth.high} : depth_in_steps(depth);
+  if (memory.any && memory.light == light) {
+    const Range kept_x = {memory.window.x, memory.window.z};
+    const Range kept_y = {memory.window.y, memory.window.w};
+    const bool depth_serves = space.spot ? memory.depth.low <= depth.low && depth.low <= memory.depth.low * kKeptDepth
+                                         : holds(memory.depth, depth) && memory.depth.high - memory.depth.low <=
+                                                                             (fresh_depth.high - fresh_depth.low) * kKeptDepth;
+    if (depth_serves && still_serves(kept_x, x, fresh_x, light.map_size) && still_serves(kept_y, y, fresh_y, light.map_size))
+      return;
+  }
+  memory = {light, {fresh_x.low, fresh_y.low, fresh_x.high, fresh_y.high}, fresh_depth, true};
+  if (!space.spot) return;
+  // no wider than the cone is
+  const double half = space.half_window;
+  if (fresh_x.high - fresh_x.low >= 2 * half) memory.window.x = -half, memory.window.z = half;
+  if (fresh_y.high - fresh_y.low >= 2 * half) memory.window.y = -half, memory.window.w = half;
+}
+
+/// The eye moved in front of the window: numbers stay small wherever it lies.
+View centred(const View& view, const glm::dvec3& shift) {
+  View moved = view;
+  moved.eye_to_world = glm::translate(view.eye_to_world, shift);
+  moved.world_to_eye = glm::translate(glm::dmat4(1.0), -shift) * view.world_to_eye;
+  return moved;
+}
+
+View view_of(const LightSpace& space, const FitMemory& memory) {
+  View view = space.view;
+  const glm::dvec4& window = memory.window;
+  if (space.spot) {
+    view.projection = perspective(window, memory.depth, true);
+    return view;
+  }
+  const glm::dvec2 center((window.x + window.z) / 2, (window.y + window.w) / 2);
+  view = centred(view, {center, -memory.depth.low});
+  const glm::dvec2 half((window.z - window.x) / 2, (window.w - window.y) / 2);
+  view.projection = parallel({-half, half}, {0, memory.depth.high - memory.depth.low}, true);
+  return view;
+}
+
+}  // namespace
+
+TightFit fit_tightly(const LightFrame& light, const FitInput& input, FitMemory& memory) {
+  const LightSpace space = light_space(light, input);
+  const double far = farthest(input, space.view.world_to_eye);
+  Box receivers = receivers_window(space, input, far);
+  if (receivers.empty()) return {};
+  const Range x = widened({receivers.min.x, receivers.max.x}, 0);
+  const Range y = widened({receivers.min.y, receivers.max.y}, 0);
+  const Range z = widened({receivers.min.z, receivers.max.z}, 0);
+  receivers = {{x.low, y.low, z.low}, {x.high, y.high, z.high}};
+  Box needed = casters_window(space, input, receivers, far);
+  if (needed.empty()) return {};
+  needed.min.z = space.spot ? std::min(needed.min.z, receivers.min.z) : receivers.min.z;
+  needed.max.z = receivers.max.z;
+  choose(space, light, needed, memory);
+  if (light.rectangle != glm::dvec4(0)) memory.window = light.rectangle;
+  if (light.angle_written) memory.window = glm::dvec4(-1, -1, 1, 1) * space.half_window;
+  const View view = checked(view_of(space, memory));
+  return {view, true};
+}
+
+}  // namespace plugc

@@ -1,0 +1,113 @@
+// A map's content comes from numbers alone: its projection, the offsets, and for each caster its program and its uniforms. They
+// are compared with those of the last time. So a slot that changes costs a pass only where a caster, the light, or an effect
+// that moves a caster sees it; what moves together with its light costs none.
+
+#include "runtime/update_shadow_map.h"
+
+#include <algorithm>
+
+#include "runtime/draw_shape.h"
+#include "runtime/gl/program.h"
+#include "runtime/uniforms.h"
+
+namespace plugc {
+namespace {
+
+bool is_looked_into(const ShadowMap& map, const World& world) {
+  return std::ranges::any_of(map.readers, [&world](const MapReader& reader) {
+    return world.shape_visible[reader.shape] && world.shape_variant[reader.shape] == reader.variant;
+  });
+}
+
+/// A map that authors see may be looked at where its light does not shine.
+bool matters(const LoadedScene& scene, const PackedShadowMap& packed, const ShadowMap& map) {
+  if (!map.texture || !is_looked_into(map, scene.world)) return false;
+  return packed.author_visible() || light_shines(*scene.packed->lights()->Get(packed.light()), scene.slots, scene.world);
+}
+
+void append(std::vector<float>& numbers, const glm::dmat4& matrix) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) numbers.push_back(static_cast<float>(matrix[column][row]));
+  }
+}
+
+/// Of one caster: what draw_shape will set.
+void append_caster(std::vector<float>& numbers, const LoadedScene& scene, const View& light, std::uint32_t index) {
+  const ShapePrograms use = scene.programs_of(index);
+  const auto& uniforms = *scene.package->programs()->Get(static_cast<std::uint32_t>(use.depth_program))->uniforms();
+  const UniformInputs inputs{
+      *scene.packed, scene.slots, scene.world, light, {}, &light, scene.world.at(scene.shape(index).transform()).matrix};
+  numbers.push_back(static_cast<float>(index));
+  numbers.push_back(static_cast<float>(use.depth_program));
+  for (const PackedBinding* binding : *use.depth_bindings) {
+    const PackedUniform& uniform = *uniforms.Get(binding->uniform());
+    const std::vector<float> values = evaluate(*binding, uniform.type(), uniform.count(), inputs);
+    numbers.insert(numbers.end(), values.begin(), values.end());
+  }
+}
+
+std::vector<float> content_numbers(const LoadedScene& scene, const PackedShadowMap& packed, const View& light) {
+  std::vector<float> numbers;
+  append(numbers, light.projection);
+  numbers.push_back(static_cast<float>(scene.slots.number(packed.scale(), 0)));
+  numbers.push_back(static_cast<float>(scene.slots.number(packed.bias(), 0)));
+  for (const std::uint32_t shape : caster_order(scene, light)) append_caster(numbers, scene, light, shape);
+  return numbers;
+}
+
+/// Equal to the bit: not a number is equal to itself here.
+bool are_equal(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](float x, float y) { return x == y || (x != x && y != y); });
+}
+
+bool same_view(const View& a, const View& b) {
+  return a.world_to_eye == b.world_to_eye && a.projection == b.projection;
+}
+
+void fit(LoadedScene& scene, std::uint32_t index, const View* camera, Messages& messages) {
+  ShadowMap& map = scene.shadow_maps[index];
+  const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
+  const LightFrame light = light_frame(*scene.packed, packed, scene.slots, scene.world, messages);
+  FitInput input = fit_input(*scene.package, *scene.packed, scene.world, index);
+  input.camera = camera;
+  map.fit = map.reversed ? fit_tightly(light, input, map.memory) : TightFit{fit_light(light, input), true};
+  map.fitted_revision = scene.slots.revision();
+}
+
+/// Never drawn: only where its light looks from matters.
+void update_projection(LoadedScene& scene, std::uint32_t index, Messages& messages) {
+  ShadowMap& map = scene.shadow_maps[index];
+  if (map.fitted_revision == scene.slots.revision()) return;
+  fit(scene, index, nullptr, messages);
+  map.view = map.fit.view;
+}
+
+}  // namespace
+
+bool update_shadow_map(LoadedScene& scene, std::uint32_t index, const View& camera, Messages& messages) {
+  ShadowMap& map = scene.shadow_maps[index];
+  const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
+  if (map.only_projects) update_projection(scene, index, messages);
+  map.in_use = matters(scene, packed, map);
+  if (!map.in_use) return false;
+  const bool follows = packed.update() == PackedShadowUpdate::always;
+  const bool drawn = map.drawn_revision != 0;
+  const bool stale = map.fitted_revision != scene.slots.revision() || !same_view(map.fitted_camera, camera);
+  if (!drawn || (follows && stale)) {
+    fit(scene, index, follows ? &camera : nullptr, messages);
+    map.fitted_camera = camera;
+  }
+  map.in_use = map.fit.needed;
+  if (drawn && !(follows && stale)) return false;
+  if (!follows) map.drawn_revision = scene.slots.revision();  // its one frame is this, also when nothing casts
+  if (!map.in_use) return false;
+  map.view = shifted(map.fit.view, map);
+  std::vector<float> numbers = content_numbers(scene, packed, map.view);
+  const bool changed = !drawn || !are_equal(numbers, map.drawn_with);
+  map.drawn_with = std::move(numbers);
+  map.drawn_revision = scene.slots.revision();
+  return changed;
+}
+
+}  // namespace plugc
