@@ -66,7 +66,7 @@ bool finite_as_float(const glm::dmat4& matrix) {
 }
 
 /// Distances along the direction. What the author wrote wins.
-Range chosen(const LightFrame& light, Range fitted) {
+Interval chosen(const LightFrame& light, Interval fitted) {
   if (light.near > 0) fitted.low = light.near;
   if (light.far > 0) fitted.high = light.far;
   if (fitted.low < fitted.high) return fitted;
@@ -88,15 +88,15 @@ View fit_directional(const LightFrame& light, const FitInput& input) {
   glm::dvec4 rectangle = light.rectangle;
   if (rectangle == glm::dvec4(0)) {
     const double texel = 1.0 / std::max(light.map_size, 16U);
-    const Range x = widened({fitted.min.x, fitted.max.x}, texel);
-    const Range y = widened({fitted.min.y, fitted.max.y}, texel);
+    const Interval x = widened({fitted.min.x, fitted.max.x}, texel);
+    const Interval y = widened({fitted.min.y, fitted.max.y}, texel);
     rectangle = {x.low, y.low, x.high, y.high};
   }
   const double first = -around.max.z;
   const double last_receiver = receivers.empty() ? -around.min.z : -receivers.min.z;
   // Where the location is computed too, it lies where the boxes begin, and written distances count from there.
   const double start = light.located ? 0 : first;
-  Range depth = widened({first, std::max(last_receiver, first)}, kDepthMargin);
+  Interval depth = widened({first, std::max(last_receiver, first)}, kDepthMargin);
   depth = chosen(light, {depth.low - start, depth.high - start});
   view.projection = parallel(rectangle, {depth.low + start, depth.high + start}, false);
   return view;
@@ -120,7 +120,7 @@ View fit_spot(const LightFrame& light, const FitInput& input) {
   const double nearest =
       nearest_depth(input.receivers, view.world_to_eye, nearest_depth(input.casters, view.world_to_eye, far));
   const double half = std::tan(std::clamp(light.angle, kSmallestSpotAngle, kLargestSpotAngle) / 2);
-  Range depth = chosen(light, {nearest * (1 - kDepthMargin), far});
+  Interval depth = chosen(light, {nearest * (1 - kDepthMargin), far});
   depth.low = light.near > 0 ? depth.low : std::max(depth.low, depth.high * kNearestSpotRatio);
   view.projection = perspective({-half, -half, half, half}, depth, false);
   return view;
@@ -184,13 +184,13 @@ LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, con
   return frame;
 }
 
-Range widened(Range range, double margin) {
+Interval widened(Interval range, double margin) {
   const double reach = std::max({std::abs(range.low), std::abs(range.high), kSmallestLength});
   const double extra = std::max((range.high - range.low) * margin, reach * kThinnest);
   return {range.low - extra, range.high + extra};
 }
 
-glm::dmat4 parallel(const glm::dvec4& rectangle, const Range& depth, bool reversed) {
+glm::dmat4 parallel(const glm::dvec4& rectangle, const Interval& depth, bool reversed) {
   glm::dmat4 matrix = glm::ortho(rectangle.x, rectangle.z, rectangle.y, rectangle.w, depth.low, depth.high);
   if (!reversed) return matrix;
   // Half of the range alone: a float near 0 would resolve more than the arithmetic before it, and offset less than that needs.
@@ -199,7 +199,7 @@ glm::dmat4 parallel(const glm::dvec4& rectangle, const Range& depth, bool revers
   return matrix;
 }
 
-glm::dmat4 perspective(const glm::dvec4& window, const Range& depth, bool reversed) {
+glm::dmat4 perspective(const glm::dvec4& window, const Interval& depth, bool reversed) {
   const glm::dvec4 cut = window * depth.low;
   glm::dmat4 matrix = glm::frustum(cut.x, cut.z, cut.y, cut.w, depth.low, depth.high);
   if (!reversed) return matrix;

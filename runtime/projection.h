@@ -31,7 +31,7 @@ struct LightFrame {
 };
 
 /// Distances, lengths or tangents.
-struct Range {
+struct Interval {
   double low = 0;
   double high = 0;
 };
@@ -59,13 +59,13 @@ View fit_light(const LightFrame& light, const FitInput& input);
 
 /// Fits a directional light's map: `rectangle` is left, bottom, right, top. Reversed depths fall from 1 to 1/2, where a float
 /// still resolves as much as at 1.
-glm::dmat4 parallel(const glm::dvec4& rectangle, const Range& depth, bool reversed);
+glm::dmat4 parallel(const glm::dvec4& rectangle, const Interval& depth, bool reversed);
 /// A spot light's: `window` is left, bottom, right, top at distance 1. Reversed depths are near / distance: none is too far.
-glm::dmat4 perspective(const glm::dvec4& window, const Range& depth, bool reversed);
+glm::dmat4 perspective(const glm::dvec4& window, const Interval& depth, bool reversed);
 
 /// The range with a margin (a part of it) at both ends, and never empty: a flat scene gets a thickness that its distance can
 /// resolve.
-Range widened(Range range, double margin);
+Interval widened(Interval range, double margin);
 /// The view, or one of nothing where it is not finite as floats.
 View checked(const View& view);
 /// The casters that can shadow a receiver, seen from a light with that view.

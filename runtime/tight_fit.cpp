@@ -148,7 +148,7 @@ Box casters_window(const LightSpace& space, const FitInput& input, const Box& re
 }
 
 /// A range of `size` texels around what is needed, its texel from a geometric series and its low end on a grid.
-Range in_steps(Range needed, std::uint32_t size) {
+Interval in_steps(Interval needed, std::uint32_t size) {
   needed = widened(needed, 0);
   if (size < kSmallestSnapped) return widened(needed, 1.0 / std::max(size, 16U));
   const double cell = std::max(size / kCellsPerSide, 1U);
@@ -158,16 +158,16 @@ Range in_steps(Range needed, std::uint32_t size) {
   return {low, low + size * texel};
 }
 
-Range depth_in_steps(const Range& needed) {
+Interval depth_in_steps(const Interval& needed) {
   const double step = std::exp2(std::ceil(std::log2(needed.high - needed.low) * 2) / 2) / 8;
   return {std::floor(needed.low / step) * step, std::ceil(needed.high / step) * step};
 }
 
-bool holds(const Range& range, const Range& needed) {
+bool holds(const Interval& range, const Interval& needed) {
   return range.low <= needed.low && needed.high <= range.high;
 }
 
-bool still_serves(const Range& kept, const Range& needed, const Range& fresh, std::uint32_t size) {
+bool still_serves(const Interval& kept, const Interval& needed, const Interval& fresh, std::uint32_t size) {
   const double margin = (kept.high - kept.low) / size * kMarginTexels;
   return holds(kept, {needed.low - margin, needed.high + margin}) &&
          kept.high - kept.low <= (fresh.high - fresh.low) * kKeptSize;
@@ -175,16 +175,17 @@ bool still_serves(const Range& kept, const Range& needed, const Range& fresh, st
 
 /// Window and depths that hold `needed`: those of the memory, or new ones.
 void choose(const LightSpace& space, const LightFrame& light, const Box& needed, FitMemory& memory) {
-  const Range x = {needed.min.x, needed.max.x};
-  const Range y = {needed.min.y, needed.max.y};
-  const Range fresh_x = in_steps(x, light.map_size);
-  const Range fresh_y = in_steps(y, light.map_size);
-  Range depth = widened({needed.min.z, needed.max.z}, kDepthMargin);
+  const Interval x = {needed.min.x, needed.max.x};
+  const Interval y = {needed.min.y, needed.max.y};
+  const Interval fresh_x = in_steps(x, light.map_size);
+  const Interval fresh_y = in_steps(y, light.map_size);
+  Interval depth = widened({needed.min.z, needed.max.z}, kDepthMargin);
   if (space.spot) depth.low = std::max(depth.low, depth.high * kNearestRatio);
-  const Range fresh_depth = space.spot ? Range{std::exp2(std::floor(std::log2(depth.low))), depth.high} : depth_in_steps(depth);
+  const Interval fresh_depth =
+      space.spot ? Interval{std::exp2(std::floor(std::log2(depth.low))), depth.high} : depth_in_steps(depth);
   if (memory.any && memory.light == light) {
-    const Range kept_x = {memory.window.x, memory.window.z};
-    const Range kept_y = {memory.window.y, memory.window.w};
+    const Interval kept_x = {memory.window.x, memory.window.z};
+    const Interval kept_y = {memory.window.y, memory.window.w};
     const bool depth_serves = space.spot ? memory.depth.low <= depth.low && depth.low <= memory.depth.low * kKeptDepth
                                          : holds(memory.depth, depth) && memory.depth.high - memory.depth.low <=
                                                                              (fresh_depth.high - fresh_depth.low) * kKeptDepth;
@@ -228,9 +229,9 @@ TightFit fit_tightly(const LightFrame& light, const FitInput& input, FitMemory& 
   const double far = farthest(input, space.view.world_to_eye);
   Box receivers = receivers_window(space, input, far);
   if (receivers.empty()) return {};
-  const Range x = widened({receivers.min.x, receivers.max.x}, 0);
-  const Range y = widened({receivers.min.y, receivers.max.y}, 0);
-  const Range z = widened({receivers.min.z, receivers.max.z}, 0);
+  const Interval x = widened({receivers.min.x, receivers.max.x}, 0);
+  const Interval y = widened({receivers.min.y, receivers.max.y}, 0);
+  const Interval z = widened({receivers.min.z, receivers.max.z}, 0);
   receivers = {{x.low, y.low, z.low}, {x.high, y.high, z.high}};
   Box needed = casters_window(space, input, receivers, far);
   if (needed.empty()) return {};

@@ -41,18 +41,35 @@ ShadowErrors compare(const TruthPicture& truth, const std::vector<float>& visibi
                      const Tracer& tracer, const LightSource& light) {
   ShadowErrors sum;
   std::array<double, 3> buckets{};
+  double facing = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
     const TruthPixel& pixel = truth.pixels[i];
     if (!pixel.counted) continue;
     const auto share = static_cast<double>(visibility[i]);
+    facing += pixel.facing;
     sum.mean_absolute += std::abs(share - (pixel.lit ? 1 : 0));
     if ((share > 0.5) == pixel.lit) continue;
     (pixel.lit ? sum.false_shadow : sum.false_lit) += 1;
+    sum.weighted += pixel.facing;
     buckets[static_cast<std::size_t>(distance_from_edge(pixel, map, tracer, light))] += 1;
   }
   const double count = truth.counted > 0 ? truth.counted : 1;
-  return {sum.false_shadow / count, sum.false_lit / count, sum.mean_absolute / count,
+  return {sum.false_shadow / count, sum.false_lit / count, sum.mean_absolute / count, facing > 0 ? sum.weighted / facing : 0,
           buckets[0] / count,       buckets[1] / count,    buckets[2] / count};
+}
+
+ShadowErrors errors_without_shadow(const TruthPicture& truth) {
+  ShadowErrors errors;
+  double facing = 0;
+  for (const TruthPixel& pixel : truth.pixels) {
+    if (!pixel.counted) continue;
+    facing += pixel.facing;
+    if (!pixel.lit) errors.weighted += pixel.facing;
+  }
+  if (truth.counted == 0) return errors;
+  errors.false_lit = errors.mean_absolute = static_cast<double>(truth.shadowed) / truth.counted;
+  errors.weighted /= facing;
+  return errors;
 }
 
 double mean_leak(const TruthPicture& truth, const std::vector<float>& visibility, const MapProjection& map,

@@ -35,17 +35,11 @@ class ErrorTable {
     if (judged.views.empty())
       fmt::print(stderr, "{}: no light of it has a shadow map yet, so it is left out\n", scene.string());
     if (judged.views.empty()) return;
-    for (const JudgedView& view : judged.views) add_ends(scene, view);
+    for (const JudgedView& view : judged.views) write(scene, view, "none", 0, {errors_without_shadow(view.truth), 0}, 1);
     for (const std::string& method : lab_.methods) add_method(scene, judged, method);
   }
 
  private:
-  /// Without shadows all that is shadowed is wrong; traced, nothing.
-  void add_ends(const fs::path& scene, const JudgedView& view) {
-    const double shadowed = view.truth.counted == 0 ? 0 : static_cast<double>(view.truth.shadowed) / view.truth.counted;
-    write(scene, view, "none", 0, {{0, shadowed, shadowed, 0, 0, 0}, 0});
-  }
-
   void add_method(const fs::path& scene, const JudgedScene& judged, const std::string& method) {
     std::string error;
     const std::vector<std::uint8_t> bytes = compile_scene(scene, method, lab_.validator, error);
@@ -57,17 +51,19 @@ class ErrorTable {
       settings.size = size;
       const auto loaded = load_lab_scene(lab_.studio, bytes, settings);
       for (const JudgedView& view : judged.views) {
-        write(scene, view, method, size, measure_errors(lab_.studio, *loaded, judged, view, shift_count(lab_, size)));
+        const MeanErrors mean = measure_errors(lab_.studio, *loaded, judged, view, shift_count(lab_, size));
+        const double leak = method.ends_with("sm") ? measure_leak(lab_.studio, *loaded, judged, view) : 0;  // of moment maps
+        write(scene, view, method, size, mean, leak);
       }
     }
   }
 
   void write(const fs::path& scene, const JudgedView& view, const std::string& method, std::uint32_t size,
-             const MeanErrors& mean) {
+             const MeanErrors& mean, double leak) {
     const ShadowErrors& e = mean.errors;
     file_ << csv_line({scene.stem().string(), view.frame.viewpoint, method},
                       {double(size), double(view.truth.counted), double(view.truth.shadowed), e.wrong(), e.false_shadow,
-                       e.false_lit, e.mean_absolute, e.at_edge, e.near_edge, e.far_from_edge, mean.floor});
+                       e.false_lit, e.mean_absolute, e.weighted, e.at_edge, e.near_edge, e.far_from_edge, mean.floor, leak});
     file_.flush();
   }
 
@@ -79,8 +75,9 @@ class ErrorTable {
 
 void measure_all_errors(Lab& lab) {
   std::ofstream file(lab.output / "errors.csv");
-  file << "scene,view,method,size,counted,shadowed,wrong,false_shadow,false_lit,mean_absolute,at_edge,near_edge,far_from_edge,"
-          "floor\n";
+  file << "scene,view,method,size,counted,shadowed,wrong,false_shadow,false_lit,mean_absolute,weighted,at_edge,near_edge,far_"
+          "from_edge,"
+          "floor,leak\n";
   ErrorTable table(lab, file);
   for (const fs::path& scene : lab.scenes) table.add_scene(scene);
 }

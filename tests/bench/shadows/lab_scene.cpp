@@ -42,6 +42,7 @@ void add(ShadowErrors& sum, const ShadowErrors& one, double weight) {
   sum.false_shadow += weight * one.false_shadow;
   sum.false_lit += weight * one.false_lit;
   sum.mean_absolute += weight * one.mean_absolute;
+  sum.weighted += weight * one.weighted;
   sum.at_edge += weight * one.at_edge;
   sum.near_edge += weight * one.near_edge;
   sum.far_from_edge += weight * one.far_from_edge;
@@ -91,6 +92,11 @@ std::vector<float> measure_visibility(Studio& studio, LabScene& scene, const Jud
   scene.loaded.shadow_maps[view.map].shift = shift;
   forget_maps(scene.loaded);
   return measured_visibility(studio.shoot(scene.loaded, view.frame), view.calibration);
+}
+
+double measure_leak(Studio& studio, LabScene& scene, const JudgedScene& judged, const JudgedView& view) {
+  const std::vector<float> visibility = measure_visibility(studio, scene, view, glm::dvec2(0));
+  return mean_leak(view.truth, visibility, projection_of(scene, view.map), *judged.tracer, view.light);
 }
 
 MeanErrors measure_errors(Studio& studio, LabScene& scene, const JudgedScene& judged, const JudgedView& view, int shift_count) {

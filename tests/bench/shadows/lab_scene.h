@@ -56,6 +56,9 @@ struct MeanErrors {
 };
 MeanErrors measure_errors(Studio& studio, LabScene& scene, const JudgedScene& judged, const JudgedView& view, int shift_count);
 
+/// mean_leak() of one picture.
+double measure_leak(Studio& studio, LabScene& scene, const JudgedScene& judged, const JudgedView& view);
+
 /// `count` positions within a texel, evenly spread: 1, 4 or 16.
 std::vector<glm::dvec2> sub_texel_shifts(int count);
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <ctime>
 
 #include "runtime/draw_frame.h"
 #include "runtime/gl/pass.h"
@@ -34,6 +35,12 @@ std::vector<glm::vec4> read_floats(const gl::Functions& gl, GLenum attachment, G
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, values.data());
   return values;
+}
+
+double processor_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
 }  // namespace
@@ -95,7 +102,7 @@ Shot Studio::shoot(LoadedScene& scene, const FrameOptions& options) {
   return shot;
 }
 
-double Studio::time_frame(LoadedScene& scene, const FrameOptions& options, bool draw_maps) {
+FrameTime Studio::time_frame(LoadedScene& scene, const FrameOptions& options, bool draw_maps) {
   State& state = *state_;
   const auto width = static_cast<GLsizei>(options.width);
   const auto height = static_cast<GLsizei>(options.height);
@@ -106,9 +113,11 @@ double Studio::time_frame(LoadedScene& scene, const FrameOptions& options, bool 
   if (draw_maps) forget_maps(scene);
   state.finish();
   const auto start = std::chrono::steady_clock::now();
+  const double processor_start = processor_milliseconds();
   draw_frame(state.gl, scene, {state.shown.framebuffer, width, height}, options, state.messages);
   state.finish();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(),
+          processor_milliseconds() - processor_start};
 }
 
 std::vector<std::string> Studio::take_messages() {
@@ -118,7 +127,10 @@ std::vector<std::string> Studio::take_messages() {
 }
 
 void forget_maps(LoadedScene& scene) {
-  for (ShadowMap& map : scene.shadow_maps) map.drawn_revision = 0;
+  for (ShadowMap& map : scene.shadow_maps) {
+    map.drawn_revision = 0;
+    map.memory = {};
+  }
 }
 
 }  // namespace plugc

@@ -21,6 +21,12 @@ struct Shot {
   std::vector<glm::vec4> triangles;  ///< As make_measurable()'s programs write them.
 };
 
+/// Milliseconds by the clock, and of processor time in all threads: the second hardly depends on what else the machine does.
+struct FrameTime {
+  double wall = 0;
+  double processor = 0;
+};
+
 /// One context. A scene on it must be gone before the studio is.
 class Studio {
  public:
@@ -31,8 +37,8 @@ class Studio {
   LoadedScene load(const Package& package);
   /// `samples` is ignored: one.
   Shot shoot(LoadedScene& scene, const FrameOptions& options);
-  /// Milliseconds until a frame of 8 bits is finished, its maps drawn anew or kept.
-  double time_frame(LoadedScene& scene, const FrameOptions& options, bool draw_maps);
+  /// What a frame of 8 bits costs until it is finished, its maps drawn anew or kept.
+  FrameTime time_frame(LoadedScene& scene, const FrameOptions& options, bool draw_maps);
   /// What the runtime said since the last call.
   std::vector<std::string> take_messages();
 
@@ -42,7 +48,7 @@ class Studio {
   std::unique_ptr<State> state_;
 };
 
-/// The scene's maps are out of date.
+/// The scene's maps are out of date, and fitted as if there had been no frame before.
 void forget_maps(LoadedScene& scene);
 
 }  // namespace plugc

@@ -80,8 +80,9 @@ void run(Lab& lab, const Sweep& sweep, const std::string& method, std::ofstream&
     const JudgedScene judged = judge_scene(lab.studio, *loaded, first_view(*loaded));
     for (const JudgedView& view : judged.views) {
       const MeanErrors mean = measure_errors(lab.studio, *loaded, judged, view, lab.quick ? 1 : 4);
-      file << csv_line({sweep.name, sweep.scene, method}, {value, mean.errors.false_shadow, mean.errors.false_lit,
-                                                           mean.errors.wrong(), mean.floor, double(view.truth.counted)});
+      file << csv_line({sweep.name, sweep.scene, method},
+                       {value, mean.errors.false_shadow, mean.errors.false_lit, mean.errors.wrong(), mean.errors.weighted,
+                        mean.floor, double(view.truth.counted)});
     }
   }
 }
@@ -90,7 +91,7 @@ void run(Lab& lab, const Sweep& sweep, const std::string& method, std::ofstream&
 
 void sweep_stability(Lab& lab) {
   std::ofstream file(lab.output / "stability.csv");
-  file << "sweep,scene,method,value,false_shadow,false_lit,wrong,floor,counted\n";
+  file << "sweep,scene,method,value,false_shadow,false_lit,wrong,weighted,floor,counted\n";
   for (const std::string& method : lab.methods) {
     if (method != "bilinear" && method != "sharp3" && method != "evsm") continue;
     for (const Sweep& sweep : all_sweeps(lab.quick)) run(lab, sweep, method, file);

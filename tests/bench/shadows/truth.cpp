@@ -102,7 +102,8 @@ TruthPicture trace_picture(const Shot& shot, const LoadedScene& scene, const std
     const double x = static_cast<double>(i % static_cast<std::size_t>(shot.width)) + 0.5;
     const double y = static_cast<double>(i / static_cast<std::size_t>(shot.width)) + 0.5;
     TruthPixel& pixel = picture.pixels[i] = find_receiver(surface, id, rays, x, y, eye, looking);
-    pixel.counted = pixel.counted && glm::dot(pixel.normal, towards_light(light, pixel.point)) > kGrazing;
+    pixel.facing = glm::dot(pixel.normal, towards_light(light, pixel.point));
+    pixel.counted = pixel.counted && pixel.facing > kGrazing;
     if (!pixel.counted) continue;
     pixel.lit = !tracer.shadowed(pixel.point, id, light);
     ++picture.counted;

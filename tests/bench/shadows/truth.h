@@ -28,6 +28,7 @@ struct TruthPixel {
   TriangleId triangle;
   glm::dvec3 point{0};   ///< World space.
   glm::dvec3 normal{0};  ///< Unit, towards the viewer.
+  double facing = 0;     ///< normal . L, with L the direction to the light.
 };
 
 struct TruthPicture {
