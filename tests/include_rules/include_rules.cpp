@@ -64,7 +64,7 @@ constexpr std::array kPrefixes = {
 /// Headers of libraries that one room alone may include.
 constexpr std::array kLibraries = {
     Prefix{"pugixml.hpp", "tests/bench"},
-    Prefix{"embree3/", "tests/bench"},
+    Prefix{"embree3/", "runtime"},
     Prefix{"tiny_gltf.h", "document"},
     Prefix{"ft2build.h", "mesh"},
     Prefix{"png.h", "image"},

@@ -2,7 +2,7 @@
 // A measured shadow against the true one.
 
 #include "shadows/map_footprint.h"
-#include "shadows/trace.h"
+#include "runtime/tracer.h"
 
 namespace plugc {
 

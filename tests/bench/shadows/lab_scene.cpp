@@ -3,6 +3,7 @@
 #include "shadows/lab_scene.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "shadows/floor.h"
 
@@ -62,7 +63,9 @@ JudgedScene judge_scene(Studio& studio, LabScene& scene, const std::vector<Frame
   LoadedScene& loaded = scene.loaded;
   loaded.world = place(*loaded.package, *loaded.packed, loaded.slots);
   judged.surfaces = read_surfaces(*loaded.package, *loaded.packed, loaded.world);
-  judged.tracer = std::make_unique<Tracer>(judged.surfaces);
+  std::string error;
+  judged.tracer = Tracer::make(judged.surfaces, error);
+  if (judged.tracer == nullptr) throw std::runtime_error(error);
   for (const FrameOptions& frame : views) {
     for (std::uint32_t map = 0; map < loaded.shadow_maps.size(); ++map) {
       if (is_drawn(loaded, map)) judged.views.push_back(judge_view(studio, scene, judged, frame, map));

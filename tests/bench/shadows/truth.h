@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shadows/studio.h"
-#include "shadows/trace.h"
+#include "runtime/tracer.h"
 
 namespace plugc {
 

@@ -1,5 +1,5 @@
 #pragma once
-// The triangles of a package's scene, as the truth about its shadows needs them: in double, with what its alpha test reads.
+// The triangles of a scene as rays meet them: in double, with what an alpha test reads.
 
 #include <cstdint>
 #include <optional>

@@ -1,13 +1,14 @@
 #pragma once
-// Rays to a light, by Embree: what is between it and a point.
+// Rays to a light: what is between it and a point. By Embree, which is optional when plugc is built and when it runs.
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
-#include "shadows/surfaces.h"
+#include "runtime/surfaces.h"
 
 namespace plugc {
 
@@ -28,18 +29,21 @@ struct LightSource {
 /// when they become floats.
 class Tracer {
  public:
-  explicit Tracer(const std::vector<Surface>& surfaces);
+  /// Null, with `error`, where plugc was built without Embree, or the machine has none.
+  static std::unique_ptr<Tracer> make(const std::vector<Surface>& surfaces, std::string& error);
   ~Tracer();
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  /// Whether something stands between the point and the light. Rays begin 1e-5 of the scene's size from the point.
+  /// Whether something stands between the point and the light. Rays begin 1e-5 of the scene's size from the point. Threads may
+  /// ask at the same time.
   bool shadowed(const glm::dvec3& point, const TriangleId& from, const LightSource& light) const;
 
   /// The diagonal of the box around all surfaces.
   double scene_size() const;
 
  private:
+  Tracer();
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -1,13 +1,12 @@
 // One Embree geometry a casting surface, in the order of the surfaces. A filter is asked about every hit: it refuses the
 // triangle that the ray left, and the holes of alpha-tested surfaces.
 
-#include "shadows/trace.h"
-
-#include <embree3/rtcore.h>
-
-#include <algorithm>
+#include "runtime/tracer.h"
 
 #include "runtime/box.h"
+#include "runtime/embree_library.h"
+
+#ifdef PLUGC_EMBREE
 
 namespace plugc {
 namespace {
@@ -54,27 +53,29 @@ Box box_of(const std::vector<Surface>& surfaces) {
   return box.empty() ? Box{glm::dvec3(-1), glm::dvec3(1)} : box;
 }
 
-void add_geometry(RTCDevice device, RTCScene scene, const Surface& surface, const glm::dvec3& center, Caster* caster) {
-  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+void add_geometry(const EmbreeLibrary& embree, RTCDevice device, RTCScene scene, const Surface& surface,
+                  const glm::dvec3& center, Caster* caster) {
+  const RTCGeometry geometry = embree.rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   const std::size_t count = surface.points.size();
   auto* const vertices = static_cast<glm::vec3*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), count));
-  auto* const indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count / 3));
+      embree.rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), count));
+  auto* const indices = static_cast<std::uint32_t*>(embree.rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count / 3));
   for (std::size_t i = 0; i < count; ++i) {
     vertices[i] = glm::vec3(glm::dvec3(surface.to_world * glm::dvec4(surface.points[i], 1)) - center);
     indices[i] = static_cast<std::uint32_t>(i);
   }
-  rtcSetGeometryUserData(geometry, caster);
-  rtcSetGeometryOccludedFilterFunction(geometry, filter_hit);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
+  embree.rtcSetGeometryUserData(geometry, caster);
+  embree.rtcSetGeometryOccludedFilterFunction(geometry, filter_hit);
+  embree.rtcCommitGeometry(geometry);
+  embree.rtcAttachGeometry(scene, geometry);
+  embree.rtcReleaseGeometry(geometry);
 }
 
 }  // namespace
 
 struct Tracer::State {
+  const EmbreeLibrary* embree = nullptr;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   glm::dvec3 center{0};
@@ -82,27 +83,32 @@ struct Tracer::State {
   std::vector<std::unique_ptr<Caster>> casters;
 
   ~State() {
-    if (scene != nullptr) rtcReleaseScene(scene);
-    if (device != nullptr) rtcReleaseDevice(device);
+    if (scene != nullptr) embree->rtcReleaseScene(scene);
+    if (device != nullptr) embree->rtcReleaseDevice(device);
   }
 };
 
-Tracer::Tracer(const std::vector<Surface>& surfaces) : state_(std::make_unique<State>()) {
+std::unique_ptr<Tracer> Tracer::make(const std::vector<Surface>& surfaces, std::string& error) {
+  const EmbreeLibrary* const library = embree_library(error);
+  if (library == nullptr) return nullptr;
+  const EmbreeLibrary& embree = *library;
+  std::unique_ptr<Tracer> tracer(new Tracer());
+  State& state = *tracer->state_;
   const Box box = box_of(surfaces);
-  state_->center = box.center();
-  state_->size = glm::length(box.size());
-  state_->device = rtcNewDevice(nullptr);
-  state_->scene = rtcNewScene(state_->device);
-  rtcSetSceneFlags(state_->scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  state.embree = library;
+  state.center = box.center();
+  state.size = glm::length(box.size());
+  state.device = embree.rtcNewDevice(nullptr);
+  state.scene = embree.rtcNewScene(state.device);
+  embree.rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_ROBUST);
   for (const Surface& surface : surfaces) {
     if (!surface.casts || surface.points.empty()) continue;
-    state_->casters.push_back(std::make_unique<Caster>(Caster{surface.shape, surface.alpha_test, surface.tex_coords}));
-    add_geometry(state_->device, state_->scene, surface, state_->center, state_->casters.back().get());
+    state.casters.push_back(std::make_unique<Caster>(Caster{surface.shape, surface.alpha_test, surface.tex_coords}));
+    add_geometry(embree, state.device, state.scene, surface, state.center, state.casters.back().get());
   }
-  rtcCommitScene(state_->scene);
+  embree.rtcCommitScene(state.scene);
+  return tracer;
 }
-
-Tracer::~Tracer() = default;
 
 bool Tracer::shadowed(const glm::dvec3& point, const TriangleId& from, const LightSource& light) const {
   const glm::dvec3 path = light.place - point;
@@ -121,12 +127,37 @@ bool Tracer::shadowed(const glm::dvec3& point, const TriangleId& from, const Lig
   ray.mask = ~0U;
   RayContext context{{}, from};
   rtcInitIntersectContext(&context.embree);
-  rtcOccluded1(state_->scene, &context.embree, &ray);
+  state_->embree->rtcOccluded1(state_->scene, &context.embree, &ray);
   return ray.tfar < 0;
 }
 
 double Tracer::scene_size() const {
   return state_->size;
 }
+
+#else
+
+namespace plugc {
+
+struct Tracer::State {};
+
+std::unique_ptr<Tracer> Tracer::make(const std::vector<Surface>&, std::string& error) {
+  error = "plugc was built without Embree";
+  return nullptr;
+}
+
+bool Tracer::shadowed(const glm::dvec3&, const TriangleId&, const LightSource&) const {
+  return false;
+}
+
+double Tracer::scene_size() const {
+  return 0;
+}
+
+#endif
+
+Tracer::Tracer() : state_(std::make_unique<State>()) {}
+
+Tracer::~Tracer() = default;
 
 }  // namespace plugc

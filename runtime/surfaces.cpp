@@ -1,7 +1,7 @@
 // Vertices are read from the package's vertex buffers by their streams. That a shape has an alpha test stands in the recipe of
 // the program that it is seen with.
 
-#include "shadows/surfaces.h"
+#include "runtime/surfaces.h"
 
 #include <algorithm>
 #include <cmath>
