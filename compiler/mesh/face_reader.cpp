@@ -15,12 +15,8 @@ namespace plugc {
 
 namespace {
 
-bool has_field(const GeometrySource& source, std::string_view name) {
-  return find_field_info(*source.graph[source.node].info, name) != nullptr;
-}
-
 bool boolean_or(const GeometrySource& source, std::string_view name, bool otherwise) {
-  return has_field(source, name) ? source.graph.boolean(source.node, name) : otherwise;
+  return source.graph.has_field(source.node, name) ? source.graph.boolean(source.node, name) : otherwise;
 }
 
 // The corners' `tex` serves all units, so the shortest list bounds it.
@@ -45,7 +41,8 @@ FaceReader::FaceReader(const GeometrySource& source, std::vector<glm::vec3> coor
   faces.ccw = boolean_or(source, "ccw", true);
   faces.solid = boolean_or(source, "solid", true);
   faces.convex = boolean_or(source, "convex", true);
-  coord_ = channel("coord", has_field(source, "coordIndex") ? "coordIndex" : "index", "", faces.coords.size());
+  coord_ =
+      channel("coord", source.graph.has_field(source.node, "coordIndex") ? "coordIndex" : "index", "", faces.coords.size());
   normal_ = channel("normal", "normalIndex", "normalPerVertex", faces.normals.size());
   color_ = channel("color", "colorIndex", "colorPerVertex", faces.colors.size());
   tex_ = channel("texCoord", "texCoordIndex", "", tex_size(faces.tex_units));
@@ -54,7 +51,7 @@ FaceReader::FaceReader(const GeometrySource& source, std::vector<glm::vec3> coor
 FaceReader::Channel FaceReader::channel(std::string_view field, std::string_view index_field, std::string_view per_vertex_field,
                                         std::size_t size) const {
   Channel result{.field = field, .size = size};
-  if (has_field(source_, index_field)) {
+  if (source_.graph.has_field(source_.node, index_field)) {
     result.index_field = index_field;
     result.index = source_.graph.field(source_.node, index_field).numbers;
   }

@@ -25,10 +25,6 @@ constexpr TextureField kTextureFields[] = {
     {"normalTexture", "normalTextureMapping", TextureRole::normal},
 };
 
-bool has_field(const NodeGraph& graph, NodeId node, std::string_view field) {
-  return find_field_info(*graph[node].info, field) != nullptr;
-}
-
 /// Volumes and cubes say nothing of a surface.
 bool is_picture(SceneContext& context, NodeId node, int texture, std::string_view field) {
   if (context.scene.textures[static_cast<std::size_t>(texture)].kind == TextureKind::image_2d) return true;
@@ -41,12 +37,12 @@ bool is_picture(SceneContext& context, NodeId node, int texture, std::string_vie
 }  // namespace
 
 int coordinate_unit(const NodeGraph& graph, NodeId geometry, std::string_view mapping) {
-  if (mapping.empty() || !has_field(graph, geometry, "texCoord")) return 0;
+  if (mapping.empty() || !graph.has_field(geometry, "texCoord")) return 0;
   const NodeId coordinates = graph.child(geometry, "texCoord");
   if (!graph.is(coordinates, "MultiTextureCoordinate")) return 0;
   const auto list = graph.children(coordinates, "texCoord");
   const auto found = std::find_if(list.begin(), list.end(), [&](NodeId unit) {
-    return unit.valid() && has_field(graph, unit, "mapping") && graph.string(unit, "mapping") == mapping;
+    return unit.valid() && graph.has_field(unit, "mapping") && graph.string(unit, "mapping") == mapping;
   });
   return found == list.end() ? 0 : static_cast<int>(found - list.begin());
 }
@@ -55,11 +51,11 @@ void read_material_textures(SceneContext& context, NodeId material, NodeId trans
   const NodeGraph& graph = context.graph;
   if (!material.valid() || graph.is(material, "UnlitMaterial")) return;
   for (const TextureField& field : kTextureFields) {
-    if (!has_field(graph, material, field.texture)) continue;
+    if (!graph.has_field(material, field.texture)) continue;
     const NodeId node = graph.child(material, field.texture);
     const int texture = texture_index(context, node);
     if (texture < 0 || !is_picture(context, node, texture, field.texture)) continue;
-    const bool mapped = has_field(graph, material, field.mapping);
+    const bool mapped = graph.has_field(material, field.mapping);
     const int unit = coordinate_unit(graph, shape.geometry, mapped ? graph.string(material, field.mapping) : "");
     shape.textures.push_back({.texture = texture,
                               .transform = unit_transform(context, transform, static_cast<std::size_t>(unit)),

@@ -49,6 +49,10 @@ const WrittenField* NodeGraph::find_written(NodeId id, std::string_view name) co
   return found == fields.end() ? nullptr : &*found;
 }
 
+bool NodeGraph::has_field(NodeId id, std::string_view name) const {
+  return find_field_info(*(*this)[id].info, name) != nullptr;
+}
+
 const FieldValue& NodeGraph::field(NodeId id, std::string_view name) const {
   if (const WrittenField* written = find_written(id, name)) return written->value;
   const FieldInfo* info = find_field_info(*(*this)[id].info, name);

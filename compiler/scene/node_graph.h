@@ -110,7 +110,8 @@ class NodeGraph {
   /// The file that a node's urls are relative to.
   const std::filesystem::path& base_path(NodeId id) const;
 
-  bool is(NodeId id, std::string_view type) const;  ///< False for NULL. `type` may be abstract.
+  bool is(NodeId id, std::string_view type) const;         ///< False for NULL. `type` may be abstract.
+  bool has_field(NodeId id, std::string_view name) const;  ///< The node's type has it, whether or not somebody wrote it.
   /// The value as written or the table's default. The node's type must have the field (checked).
   const FieldValue& field(NodeId id, std::string_view name) const;
   bool is_written(NodeId id, std::string_view name) const;

@@ -34,14 +34,9 @@ const TextureType* find_type(const NodeGraph& graph, NodeId node) {
   return found == std::end(kTextureTypes) ? nullptr : found;
 }
 
-/// The node's type has the field, whether or not somebody wrote it.
-bool has_field(const NodeGraph& graph, NodeId node, std::string_view field) {
-  return find_field_info(*graph[node].info, field) != nullptr;
-}
-
 /// The texture's TextureProperties; not valid without any.
 NodeId properties_of(const NodeGraph& graph, NodeId texture) {
-  if (!has_field(graph, texture, "textureProperties")) return {};
+  if (!graph.has_field(texture, "textureProperties")) return {};
   const NodeId properties = graph.child(texture, "textureProperties");
   return graph.is(properties, "TextureProperties") ? properties : NodeId();
 }
@@ -53,7 +48,7 @@ Wrap read_wrap(const NodeGraph& graph, NodeId texture, std::string_view repeat, 
     if (mode == "MIRRORED_REPEAT") return Wrap::mirrored_repeat;
     return mode == "REPEAT" ? Wrap::repeat : Wrap::clamp_to_edge;
   }
-  const bool repeats = !has_field(graph, texture, repeat) || graph.boolean(texture, repeat);
+  const bool repeats = !graph.has_field(texture, repeat) || graph.boolean(texture, repeat);
   return repeats ? Wrap::repeat : Wrap::clamp_to_edge;
 }
 
@@ -181,7 +176,7 @@ void read_generator(SceneContext& context, NodeId node, const SceneTexture& text
 
 /// The node that gives the coordinates of a unit: of too few, the last serves all others (X3D 4.1, 18.4.5).
 NodeId unit_coordinates(const NodeGraph& graph, NodeId geometry, int unit) {
-  if (!has_field(graph, geometry, "texCoord")) return {};
+  if (!graph.has_field(geometry, "texCoord")) return {};
   const NodeId written = graph.child(geometry, "texCoord");
   if (!graph.is(written, "MultiTextureCoordinate")) return written;
   const auto list = graph.children(written, "texCoord");
