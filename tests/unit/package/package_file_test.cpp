@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <functional>
+#include <iterator>
 
 #include "tests/support/package_sample.h"
 
@@ -51,6 +54,18 @@ TEST(PackageFile, KeepsEveryFieldOverARoundTrip) {
   const std::vector<std::uint8_t> bytes = write_package(sample_package());
   const std::unique_ptr<PackageT> read(open_package(bytes).package->UnPack());
   EXPECT_EQ(write_package(*read), bytes);
+}
+
+/// A seed of an older schema would be refused at its first bytes, and the fuzzer would never come deeper.
+/// PLUGC_REWRITE=1 writes it anew.
+TEST(PackageFile, TheFuzzersSeedIsOfThisSchema) {
+  const char* const path = PLUGC_SOURCE_DIR "/tests/fuzz/package/corpus/sample.plugpack";
+  const std::vector<std::uint8_t> expected = write_package(sample_package());
+  if (std::getenv("PLUGC_REWRITE") != nullptr)
+    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(expected.data()), std::ssize(expected));
+  std::ifstream stream(path, std::ios::binary);
+  const std::vector<char> seed(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_EQ(std::vector<std::uint8_t>(seed.begin(), seed.end()), expected);
 }
 
 TEST(PackageFile, OpensAPackageOfNothingWithEveryListPresent) {
