@@ -2,7 +2,8 @@
 // glslang leaves to drivers, and reflected. Before glslang sees a text, its `#version` is read: that decides whether the
 // text fits the target at all, and glslang is not to be asked for SPIR-V below 330 (it prints its built-ins by the
 // thousand lines).
-// What glslang does not check and drivers do: a fragment input that no earlier stage declares (GLSL 3.30, 4.3.4).
+// What glslang does not check and drivers do: a fragment input that no earlier stage declares (GLSL 3.30, 4.3.4), or that one
+// declares with another interpolation.
 // Of a syntax error glslang tells the line only. Its token is found by parsing the text cut off behind one token of that line
 // or another: as long as the one at fault is cut off too, glslang misses the end of the text instead. A `#line` directive
 // shifts the lines of messages. A failing text that has one is parsed again with its directives made blank, for the places
@@ -158,9 +159,10 @@ std::vector<VerdictMessage> link(const Candidate& candidate, Linked& linked) {
                         fmt::format("an expression nests more than {} deep, which crashes drivers", kMaxTreeDepth)});
   }
   for (std::size_t i = 1; i < linked.stages.size(); ++i) {
-    std::ranges::move(
-        find_unwritten_inputs(*linked.tree(i - 1), *linked.tree(i), linked.stages[i].stage, linked.stages[i - 1].stage),
-        std::back_inserter(messages));
+    const ShaderStage before = linked.stages[i - 1].stage, stage = linked.stages[i].stage;
+    std::ranges::move(find_unwritten_inputs(*linked.tree(i - 1), *linked.tree(i), stage, before), std::back_inserter(messages));
+    if (stage != ShaderStage::fragment) continue;
+    std::ranges::move(find_unequal_interpolation(*linked.tree(i - 1), *linked.tree(i), before), std::back_inserter(messages));
   }
   return messages;
 }

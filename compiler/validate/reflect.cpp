@@ -2,6 +2,7 @@
 // Unwritten inputs are found in the syntax trees: the outputs that a stage declares are among its linker objects (the
 // globals, used or not); the inputs that the next stage uses are symbols anywhere else in its tree. A block counts by its
 // block name, everything else by its own; a variable with a layout location is matched by location, so it is left alone.
+// An input is interpolated as the output of its name says (GLSL 3.30 and ESSL 3.00, 4.3): drivers refuse to link what differs.
 
 #include "validate/reflect.h"
 
@@ -11,7 +12,7 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <string_view>
 
 namespace plugc {
 namespace {
@@ -78,13 +79,21 @@ struct InputCollector : glslang::TIntermTraverser {
   }
 };
 
-std::set<std::string> declared_outputs(const glslang::TIntermediate& tree) {
-  std::set<std::string> names;
+/// What a qualifier says of interpolation; nothing said is `smooth`.
+std::string_view interpolation(const glslang::TQualifier& qualifier) {
+  if (qualifier.flat) return "flat";
+  return qualifier.nopersp ? "noperspective" : "smooth";
+}
+
+/// The inputs or outputs that a stage declares, with their interpolation.
+std::map<std::string, std::string_view> declared(const glslang::TIntermediate& tree, glslang::TStorageQualifier storage) {
+  std::map<std::string, std::string_view> variables;
   for (TIntermNode* node : tree.findLinkerObjects()->getSequence()) {
     const glslang::TIntermSymbol* symbol = node->getAsSymbolNode();
-    if (symbol != nullptr && symbol->getQualifier().storage == glslang::EvqVaryingOut) names.insert(interface_name(*symbol));
+    if (symbol != nullptr && symbol->getQualifier().storage == storage)
+      variables.emplace(interface_name(*symbol), interpolation(symbol->getQualifier()));
   }
-  return names;
+  return variables;
 }
 
 }  // namespace
@@ -109,11 +118,25 @@ std::vector<ReflectedVariable> reflect_attributes(const glslang::TProgram& progr
   return attributes;
 }
 
+std::vector<VerdictMessage> find_unequal_interpolation(const glslang::TIntermediate& writer,
+                                                       const glslang::TIntermediate& fragment, ShaderStage writer_stage) {
+  const std::map<std::string, std::string_view> outputs = declared(writer, glslang::EvqVaryingOut);
+  std::vector<VerdictMessage> messages;
+  for (const auto& [name, said] : declared(fragment, glslang::EvqVaryingIn)) {
+    const auto output = outputs.find(name);
+    if (is_built_in(name) || output == outputs.end() || output->second == said) continue;
+    messages.push_back({ShaderStage::fragment, 0, name,
+                        fmt::format("`{}`: interpolation is `{}` here, but `{}` in the {} stage", name, said, output->second,
+                                    to_text(writer_stage))});
+  }
+  return messages;
+}
+
 std::vector<VerdictMessage> find_unwritten_inputs(const glslang::TIntermediate& writer, const glslang::TIntermediate& reader,
                                                   ShaderStage reader_stage, ShaderStage writer_stage) {
   InputCollector inputs;
   reader.getTreeRoot()->traverse(&inputs);
-  const std::set<std::string> outputs = declared_outputs(writer);
+  const std::map<std::string, std::string_view> outputs = declared(writer, glslang::EvqVaryingOut);
   std::vector<VerdictMessage> messages;
   for (const auto& [name, line] : inputs.first_lines) {
     if (outputs.contains(name)) continue;

@@ -21,5 +21,8 @@ std::vector<ReflectedVariable> reflect_attributes(const glslang::TProgram& progr
 /// A message for each input that `reader` uses and `writer`, the stage before it, does not declare as output.
 std::vector<VerdictMessage> find_unwritten_inputs(const glslang::TIntermediate& writer, const glslang::TIntermediate& reader,
                                                   ShaderStage reader_stage, ShaderStage writer_stage);
+/// A message for each input of the fragment stage that `writer`, the stage before it, declares with another interpolation.
+std::vector<VerdictMessage> find_unequal_interpolation(const glslang::TIntermediate& writer,
+                                                       const glslang::TIntermediate& fragment, ShaderStage writer_stage);
 
 }  // namespace plugc
