@@ -99,13 +99,21 @@ std::string name_in_detail(std::string_view detail) {
   return std::string(quoted.substr(before == std::string_view::npos ? 0 : before + 1));
 }
 
+/// Uniforms are compared with those of all stages before, taken together; glslang calls that "unknown stage".
+std::string with_earlier_stages(std::string text) {
+  constexpr std::string_view kUnknown = "unknown stage", kEarlier = "earlier";
+  for (std::size_t at = text.find(kUnknown); at != std::string::npos; at = text.find(kUnknown, at))
+    text.replace(at, kUnknown.size(), kEarlier);
+  return text;
+}
+
 VerdictMessage read_linker_error(std::string_view text, ShaderStage stage) {
   VerdictMessage message;
   message.stage = last_named_stage(text, stage);
   const std::size_t last_line = text.rfind('\n');
   if (last_line != std::string_view::npos) message.token = name_in_detail(text.substr(last_line));
   take_prefix(text, "Linking ");
-  message.text = squeezed(text);
+  message.text = with_earlier_stages(squeezed(text));
   return message;
 }
 

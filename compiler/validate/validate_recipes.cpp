@@ -40,9 +40,10 @@ class RecipeRepair {
 
 void RecipeRepair::say(const Fault& fault, const ProgramCandidate& candidate, const Span& culprit) const {
   if (fault.died) {
-    diagnostics_.report(
-        DiagnosticId::validation_died, culprit,
-        fmt::format("validating the program `{}` crashed or took too long", to_text(candidate.recipe, scene())));
+    diagnostics_.report(DiagnosticId::validation_died, culprit,
+                        fmt::format("the program `{}` cannot be validated: {}", to_text(candidate.recipe, scene()),
+                                    fault.messages.front().text));
+    return;
   }
   std::vector<const SceneEffect*> authors;
   for (const int index : fault.effects) authors.push_back(&effect(index));
