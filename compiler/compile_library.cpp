@@ -58,19 +58,19 @@ class LibraryScene {
 };
 
 /// The one plug that is called at another moment under the other shading, in the same stage.
-bool is_main_texture(std::string_view call) {
-  return call.starts_with("main_texture_apply ") || call.starts_with("texture_apply ");
+bool is_main_texture(const CalledPlug& call) {
+  return call.plug == "main_texture_apply" || call.plug == "texture_apply";
 }
 
 /// Where nothing is called at all, one kind stands for all.
 void LibraryScene::choose_kinds(const Diagnostics& diagnostics) {
   Diagnostics unheard(diagnostics.sources());
-  std::set<std::vector<std::string>> known;
+  std::set<std::vector<CalledPlug>> known;
   for (std::size_t kind = 0; kind < kKindCount; ++kind) {
     const Recipe& recipe = prepared_.recipes[static_cast<std::size_t>(program_of(kind))].recipe;
-    std::vector<std::string> calls = compose(recipe, input(), Target::glsl330, unheard).calls;
+    std::vector<CalledPlug> calls = compose(recipe, input(), Target::glsl330, unheard).calls;
     if (std::ranges::any_of(calls, is_main_texture))
-      calls.emplace_back(kStageKinds[kind].gouraud ? "after lighting" : "before it");
+      calls.push_back({kStageKinds[kind].gouraud ? "after lighting" : "before it", ShaderStage::fragment});
     if (!calls.empty() && known.insert(std::move(calls)).second) kept_.push_back(kind);
   }
   if (kept_.empty()) kept_.push_back(0);

@@ -46,16 +46,16 @@ class Borrower {
       written.push_back(each.prototype);
       PlacedUnit& unit = c_.units[each.unit];
       const auto index = static_cast<std::size_t>(each.prototype - unit.code->outline.functions.data());
-      unit.forwards.emplace_back(index, std::string(c_.name_of(each.definer, each.prototype->name)));
+      unit.forwards.emplace_back(index, c_.name_of(each.definer, each.prototype->name));
     }
   }
 
   /// The name must be the owner's own in this stage, though no definition of its may have taken it.
   void take_name(const PlacedUnit& unit, std::string_view name) {
-    std::string taken = c_.final_name(unit, name);
+    std::string_view taken = c_.final_name(unit, name);
     if (!c_.taken.is_free(taken, in_stage(unit.stage), unit.owner)) {
-      taken = c_.taken.new_name(std::string(name), unit.owner, c_.units);
-      c_.owners[unit.owner].borrowed[static_cast<std::size_t>(unit.stage)].insert_or_assign(std::string(name), taken);
+      taken = c_.taken.new_name(name, unit.owner, c_.units);
+      c_.owners[unit.owner].borrowed[static_cast<std::size_t>(unit.stage)].insert_or_assign(name, taken);
     }
     c_.taken.take(taken, in_stage(unit.stage), unit.owner);
   }
@@ -72,7 +72,7 @@ bool same_parameters(const FunctionOutline& a, const FunctionOutline& b) {
 
 void borrow_name(Composition& composition, const PlacedUnit& unit, std::string_view name, std::size_t other) {
   auto& borrowed = composition.owners[unit.owner].borrowed[static_cast<std::size_t>(unit.stage)];
-  borrowed.insert_or_assign(std::string(name), std::string(composition.name_of(other, name)));
+  borrowed.insert_or_assign(name, composition.name_of(other, name));
 }
 
 void borrow_functions(Composition& composition, const std::vector<Borrowing>& borrowings) {

@@ -89,6 +89,7 @@ int match(std::string_view pattern, std::string_view name) {
 }  // namespace
 
 std::optional<CastleName> find_castle_name(std::string_view name) {
+  if (!name.starts_with("castle_")) return std::nullopt;
   for (const Pattern& pattern : kPatterns) {
     const int number = match(pattern.name, name);
     if (number == -2) continue;

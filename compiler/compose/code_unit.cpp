@@ -121,6 +121,21 @@ std::string_view CodeUnit::macro_word(std::string_view name) const {
   return found == macro_words.end() ? name : found->second;
 }
 
+void note_plugs(CodeUnit& unit) {
+  std::unordered_map<std::string_view, std::size_t> first;  // of each name: into plug_functions
+  for (std::size_t f = 0; f < unit.outline.functions.size(); ++f) {
+    const FunctionOutline& function = unit.outline.functions[f];
+    const std::string_view plug = plug_name(function.name);
+    if (plug.empty() || !function.is_definition()) continue;
+    const auto [known, added] = first.try_emplace(plug, unit.plug_functions.size());
+    if (!added) unit.plug_functions[known->second].overloaded = true;
+    unit.plug_functions.push_back({f, plug, !added});
+  }
+  for (const Token& token : unit.tokens.tokens) {
+    if (token.kind == TokenKind::identifier && !plug_name(unit.at(token)).empty()) unit.plug_words.push_back(token);
+  }
+}
+
 const FunctionOutline* find_main(const CodeUnit& unit) {
   const auto& functions = unit.outline.functions;
   const auto found = std::find_if(functions.begin(), functions.end(), [](const FunctionOutline& function) {
@@ -142,6 +157,7 @@ std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderSta
   unit->tokens = tokenize(unit->text.text(), predefined);
   unit->outline = outline(unit->text.text(), unit->tokens, varying_storage(stage));
   unit->macro_words = find_macro_words(*unit);
+  note_plugs(*unit);
   return unit;
 }
 

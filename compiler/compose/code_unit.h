@@ -16,13 +16,22 @@
 
 namespace plugc {
 
+/// A definition of a plug function.
+struct PlugFunction {
+  std::size_t function = 0;  ///< Into Outline::functions.
+  std::string_view plug;     ///< Its name without `PLUG_`.
+  bool overloaded = false;   ///< The unit defines several of the name.
+};
+
 struct CodeUnit {
   MappedText text;
   std::vector<std::string> castle_names;   ///< castle_ names that the text uses, declared or not.
   std::vector<RenamedName> renamed_names;  ///< Names that upgrading had to change.
   TokenList tokens;
-  Outline outline;               ///< Points into `text`, so a unit is never moved once made.
-  bool names_precision = false;  ///< `lowp`, `mediump` or `highp` stands somewhere in it.
+  Outline outline;                           ///< Points into `text`, so a unit is never moved once made.
+  std::vector<PlugFunction> plug_functions;  ///< In text order.
+  std::vector<Token> plug_words;             ///< Where `PLUG_` names stand in the code.
+  bool names_precision = false;              ///< `lowp`, `mediump` or `highp` stands somewhere in it.
   std::unordered_map<std::string_view, std::string_view> macro_words;  ///< Macros that stand for one word.
 
   CodeUnit() = default;
@@ -42,6 +51,9 @@ bool names_precision(std::string_view text);
 
 /// `PLUG_name` -> `name`; "" for other names.
 std::string_view plug_name(std::string_view function_name);
+
+/// Notes where the unit has plug functions; it must be outlined.
+void note_plugs(CodeUnit& unit);
 
 /// The unit's own `main`; null where it has none.
 const FunctionOutline* find_main(const CodeUnit& unit);

@@ -36,32 +36,29 @@ bool Composition::is_faulty(const PlacedUnit& unit) const {
   return owner.kind == OwnerKind::effect && std::find(faulty.begin(), faulty.end(), owner.index) != faulty.end();
 }
 
-namespace {
-
-std::string name_in_stages(const Composition& c, const PlacedUnit& unit, std::string_view name) {
-  const Owner& owner = c.owners[unit.owner];
-  const Owner::Renames& borrowed = owner.borrowed[static_cast<std::size_t>(unit.stage)];
-  if (const auto found = borrowed.find(name); found != borrowed.end()) return found->second;
-  if (const auto found = owner.renames.find(name); found != owner.renames.end()) return found->second;
-  if (unit.scope.kind == ScopeKind::light && owner.kind == OwnerKind::effect) {
-    if (std::string numbered = number_own_light(name, unit.scope.number); !numbered.empty()) return numbered;
-  }
-  return std::string(name);
+void Composition::report_fault(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin,
+                               std::string message, std::vector<RelatedPlace> related) {
+  diagnostics.report(id, name_span(*unit.code, name, begin), std::move(message), std::move(related));
+  mark_faulty(unit);
 }
 
-}  // namespace
-
-std::string Composition::final_name(const PlacedUnit& unit, std::string_view name) const {
-  std::string found = name_in_stages(*this, unit, name);
-  if (passed.empty() || unit.stage != ShaderStage::fragment) return found;
-  const auto behind = passed.find(found);
-  return behind == passed.end() ? found : behind->second;
+std::string_view Composition::final_name(const PlacedUnit& unit, std::string_view name) const {
+  const Owner& owner = owners[unit.owner];
+  const Owner::Renames& borrowed = owner.borrowed[static_cast<std::size_t>(unit.stage)];
+  if (const auto found = borrowed.find(name); found != borrowed.end()) {
+    name = found->second;
+  } else if (const auto renamed = owner.renames.find(name); renamed != owner.renames.end()) {
+    name = renamed->second;
+  }
+  if (passed.empty() || unit.stage != ShaderStage::fragment) return name;
+  const auto behind = passed.find(name);
+  return behind == passed.end() ? name : behind->second;
 }
 
 std::string_view Composition::name_of(std::size_t owner, std::string_view name) const {
   const Owner::Renames& renames = owners[owner].renames;
   const auto renamed = renames.find(name);
-  return renamed == renames.end() ? name : std::string_view(renamed->second);
+  return renamed == renames.end() ? name : renamed->second;
 }
 
 std::string_view Composition::type_of(const CastleName& name) const {

@@ -55,6 +55,13 @@ struct EffectNeed {
   auto operator<=>(const EffectNeed&) const = default;
 };
 
+/// A call of an author's plug function.
+struct CalledPlug {
+  std::string_view plug;  ///< In the code that composing has read.
+  ShaderStage stage = ShaderStage::vertex;
+  auto operator<=>(const CalledPlug&) const = default;
+};
+
 struct ComposedStage {
   ShaderStage stage = ShaderStage::vertex;
   MappedText text;
@@ -64,7 +71,7 @@ struct ComposedProgram {
   std::vector<ComposedStage> stages;
   std::vector<FieldUniform> fields;
   std::vector<SwitchUniform> switches;
-  std::vector<std::string> calls;         ///< `plug stage` for each call of an author's plug function, sorted.
+  std::vector<CalledPlug> calls;          ///< Sorted.
   std::vector<std::string> plugs_filled;  ///< Plugs that effects filled, sorted.
   std::vector<std::string> plugs_empty;   ///< The other plugs that the program offers, sorted.
   bool moves_vertices = false;            ///< Some effect moves vertices, so that the mesh's bounds say nothing.

@@ -258,8 +258,8 @@ void note_passed_varyings(Composition& composition) {
   for (const PlacedUnit& unit : composition.units) {
     if (unit.dropped) continue;
     for (const std::string& name : unit.passes) {
-      composition.passed.emplace(composition.final_name(unit, name),
-                                 composition.final_name(unit, name + std::string(kBehindGeometry)));
+      const std::string_view behind = composition.taken.keep(name + std::string(kBehindGeometry));
+      composition.passed.emplace(composition.final_name(unit, name), composition.final_name(unit, behind));
     }
   }
 }

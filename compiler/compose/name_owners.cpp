@@ -1,8 +1,8 @@
 // Every owner (the renderer, each effect, the ComposedShader) has a name space of its own; the composed text has one a
 // stage. Owners are taken in order, and a name that an earlier owner has is changed to `name_2`, `name_3`, ... everywhere in
 // its owner's code. castle_ names belong to the renderer whoever declares them, and so do vertex inputs, which the geometry
-// feeds by name. Uniforms and varyings live in all stages at once, other names in theirs. Structs that are equal token for
-// token are one type and need no second name.
+// feeds by name; in a light's own effect, `castle_LightSourceColor` is the name of that light's. Uniforms and varyings live in
+// all stages at once, other names in theirs. Structs that are equal token for token are one type and need no second name.
 
 #include <fmt/format.h>
 
@@ -42,11 +42,12 @@ class OwnerNamer {
   std::vector<DeclaredName> declared_names(std::size_t owner) const;
   void name_owner(std::size_t owner);
   void name_struct(const DeclaredName& declared, std::size_t owner);
-  std::string choose_name(const DeclaredName& declared, std::size_t owner);
+  std::string_view choose_name(const DeclaredName& declared, std::size_t owner);
+  void name_own_light(std::size_t owner);
 
   Composition& c_;
   std::vector<std::vector<const PlacedUnit*>> units_by_owner_;
-  std::map<std::pair<StageMask, std::string>, std::string> structs_;  // final names by the structs' texts
+  std::map<std::pair<StageMask, std::string>, std::string_view> structs_;  // final names by the structs' texts
 };
 
 /// Before all else, so that no function or variable of a renderer-fed name comes between.
@@ -54,7 +55,7 @@ void OwnerNamer::take_attributes() {
   for (const PlacedUnit& unit : c_.units) {
     for (const GlobalOutline& global : unit.code->outline.globals) {
       const bool fed = !unit.dropped && is_attribute(unit, global) && !is_castle(global.name);
-      if (fed) c_.taken.take(std::string(global.name), in_stage(unit.stage), 0);
+      if (fed) c_.taken.take(global.name, in_stage(unit.stage), 0);
     }
   }
 }
@@ -82,13 +83,11 @@ std::vector<DeclaredName> OwnerNamer::declared_names(std::size_t owner) const {
 }
 
 /// The name that the owner's code gets; taken from here on.
-std::string OwnerNamer::choose_name(const DeclaredName& declared, std::size_t owner) {
-  auto& renames = c_.owners[owner].renames;
-  const auto renamed = renames.find(declared.name);
-  std::string name(renamed == renames.end() ? declared.name : std::string_view(renamed->second));
+std::string_view OwnerNamer::choose_name(const DeclaredName& declared, std::size_t owner) {
+  std::string_view name = c_.name_of(owner, declared.name);
   if (!c_.taken.is_free(name, declared.stages, owner)) {
-    name = c_.taken.new_name(std::string(declared.name), owner, c_.units);
-    renames.insert_or_assign(std::string(declared.name), name);
+    name = c_.taken.new_name(declared.name, owner, c_.units);
+    c_.owners[owner].renames.insert_or_assign(declared.name, name);
   }
   c_.taken.take(name, declared.stages, owner);
   return name;
@@ -99,11 +98,22 @@ void OwnerNamer::name_struct(const DeclaredName& declared, std::size_t owner) {
   if (added) {
     known->second = choose_name(declared, owner);
   } else if (known->second != declared.name) {
-    c_.owners[owner].renames.insert_or_assign(std::string(declared.name), known->second);
+    c_.owners[owner].renames.insert_or_assign(declared.name, known->second);
+  }
+}
+
+void OwnerNamer::name_own_light(std::size_t owner) {
+  for (const PlacedUnit* unit : units_by_owner_[owner]) {
+    if (unit->scope.kind != ScopeKind::light || c_.owners[owner].kind != OwnerKind::effect) return;
+    for (const std::string& name : unit->code->castle_names) {
+      std::string numbered = number_own_light(name, unit->scope.number);
+      if (!numbered.empty()) c_.owners[owner].renames.try_emplace(name, c_.taken.keep(std::move(numbered)));
+    }
   }
 }
 
 void OwnerNamer::name_owner(std::size_t owner) {
+  name_own_light(owner);
   for (const DeclaredName& declared : declared_names(owner)) {
     if (declared.type != nullptr) {
       name_struct(declared, owner);
@@ -125,29 +135,37 @@ void name_owners(Composition& composition) {
   OwnerNamer(composition).run();
 }
 
+namespace {
+
+constexpr std::size_t kNobody = SIZE_MAX;
+
+}  // namespace
+
 bool TakenNames::is_free(std::string_view name, StageMask stages, std::size_t owner) const {
+  const auto found = owners_.find(name);
+  if (found == owners_.end()) return true;
   for (std::size_t stage = 0; stage < kStageCount; ++stage) {
-    if ((stages & (1U << stage)) == 0) continue;
-    const auto found = owners_[stage].find(name);
-    if (found != owners_[stage].end() && found->second != owner) return false;
+    const std::size_t holder = found->second[stage];
+    if ((stages & (1U << stage)) != 0 && holder != kNobody && holder != owner) return false;
   }
   return true;
 }
 
-void TakenNames::take(const std::string& name, StageMask stages, std::size_t owner) {
-  const std::string& kept = *kept_.emplace_back(std::make_unique<const std::string>(name));
+void TakenNames::take(std::string_view name, StageMask stages, std::size_t owner) {
+  const auto [found, added] = owners_.try_emplace(name);
+  if (added) found->second.fill(kNobody);
   for (std::size_t stage = 0; stage < kStageCount; ++stage) {
-    if ((stages & (1U << stage)) != 0) owners_[stage].try_emplace(kept, owner);
+    std::size_t& holder = found->second[stage];
+    if ((stages & (1U << stage)) != 0 && holder == kNobody) holder = owner;
   }
 }
 
-std::string TakenNames::new_name(const std::string& name, std::size_t owner, const std::vector<PlacedUnit>& units) {
-  constexpr std::size_t kNobody = SIZE_MAX;
+std::string_view TakenNames::new_name(std::string_view name, std::size_t owner, const std::vector<PlacedUnit>& units) {
   for (int& number = next_number_.try_emplace(name, 2).first->second;; ++number) {
     std::string candidate = fmt::format("{}_{}", name, number);
     // templates hold no such words
     const bool is_word = owner != 0 && words_of(owner, units).contains(candidate);
-    if (is_free(candidate, kAllStages, kNobody) && !is_word) return candidate;
+    if (is_free(candidate, kAllStages, kNobody) && !is_word) return keep(std::move(candidate));
   }
 }
 

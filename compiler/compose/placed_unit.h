@@ -3,6 +3,7 @@
 // the calls, name_owners.cpp and bind_names.cpp give every name its final form, stage_text.cpp writes it down.
 
 #include <array>
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -28,11 +29,11 @@ struct PlugScope {
 
 struct Owner {
   OwnerKind kind = OwnerKind::renderer;
-  int index = -1;  ///< Into Scene::effects or Scene::shaders.
-  using Renames = std::map<std::string, std::string, std::less<>>;
-  Renames renames;
+  int index = -1;                                                ///< Into Scene::effects or Scene::shaders.
+  using Renames = std::map<std::string_view, std::string_view>;  // both live as long as the composition (TakenNames::keep)
+  Renames renames = {};
   /// Names of other owners for what a stage of this one only declares; they come before `renames`.
-  std::array<Renames, kStageCount> borrowed;
+  std::array<Renames, kStageCount> borrowed = {};
   bool keeps_names_in(ShaderStage stage) const { return renames.empty() && borrowed[static_cast<std::size_t>(stage)].empty(); }
 };
 
@@ -49,14 +50,14 @@ struct PlacedUnit {
   ShaderStage stage = ShaderStage::vertex;
   std::size_t owner = 0;  ///< Into Composition::owners; 0 is the renderer.
   PlugScope scope;
-  std::vector<std::size_t> guards;           ///< Its code runs while these are on; into ComposedProgram::switches.
-  bool of_shadow = false;                    ///< Without it the shape merely shows no shadow of its light.
-  bool offers_to_scope_alone = false;        ///< What acts on the whole shape does not reach its markers.
-  bool dropped = false;                      ///< A piece of the renderer whose plugs the base shader lacks.
-  std::vector<std::string> function_names;   ///< Final names of plug functions by function; others are empty.
-  std::vector<std::vector<PlugCall>> calls;  ///< By marker.
+  std::vector<std::size_t> guards;               ///< Its code runs while these are on; into ComposedProgram::switches.
+  bool of_shadow = false;                        ///< Without it the shape merely shows no shadow of its light.
+  bool offers_to_scope_alone = false;            ///< What acts on the whole shape does not reach its markers.
+  bool dropped = false;                          ///< A piece of the renderer whose plugs the base shader lacks.
+  std::vector<std::string_view> function_names;  ///< Final names of plug functions by function; others are empty.
+  std::vector<std::vector<PlugCall>> calls;      ///< By marker.
   /// Prototypes that get a body which calls another owner's function: by function, with the final name of the other's.
-  std::vector<std::pair<std::size_t, std::string>> forwards;
+  std::vector<std::pair<std::size_t, std::string_view>> forwards;
   std::vector<std::string> passes;  ///< Varyings that this unit hands through the geometry stage, as its owner names them.
 };
 
@@ -75,15 +76,18 @@ class TakenNames {
  public:
   /// Whether nobody else has the name in any of the stages.
   bool is_free(std::string_view name, StageMask stages, std::size_t owner) const;
-  void take(const std::string& name, StageMask stages, std::size_t owner);
+  /// `name` must live as long as this: it stands in some unit's code, or has been kept.
+  void take(std::string_view name, StageMask stages, std::size_t owner);
   /// `name_2`, `name_3`, ...: the first that is free in all stages and none of the owner's own words.
-  std::string new_name(const std::string& name, std::size_t owner, const std::vector<PlacedUnit>& units);
+  std::string_view new_name(std::string_view name, std::size_t owner, const std::vector<PlacedUnit>& units);
+  /// A name that stands in nobody's code, for as long as this lives.
+  std::string_view keep(std::string name) { return kept_.emplace_back(std::move(name)); }
 
  private:
   const std::unordered_set<std::string_view>& words_of(std::size_t owner, const std::vector<PlacedUnit>& units);
-  std::array<std::unordered_map<std::string_view, std::size_t>, kStageCount> owners_;
-  std::vector<std::unique_ptr<const std::string>> kept_;  // what the keys above point into
-  std::unordered_map<std::string, int> next_number_;      // so that a thousand equal names stay cheap
+  std::unordered_map<std::string_view, std::array<std::size_t, kStageCount>> owners_;  // by stage
+  std::deque<std::string> kept_;
+  std::unordered_map<std::string_view, int> next_number_;  // so that a thousand equal names stay cheap
   std::unordered_map<std::size_t, std::unordered_set<std::string_view>> words_;
 };
 
@@ -109,9 +113,8 @@ struct Composition {
   TakenNames taken;
   bool has_geometry = false;  ///< The program has a geometry stage.
   GeometryStage geometry;
-  std::map<std::string, std::string_view, std::less<>> precisions;  ///< Of uniforms that are declared with several.
-  std::map<std::string, std::string, std::less<>>
-      passed;  ///< Final names of varyings in front of the geometry stage and behind it.
+  std::map<std::string_view, std::string_view> precisions;  ///< Of uniforms that are declared with several.
+  Owner::Renames passed;  ///< Final names of varyings in front of the geometry stage and behind it.
 
   const SceneEffect& author(const Owner& owner) const {
     return (owner.kind == OwnerKind::shader ? input.scene.shaders : input.scene.effects)[static_cast<std::size_t>(owner.index)];
@@ -120,12 +123,11 @@ struct Composition {
   /// Whether every name of the unit's code stays as it is.
   bool keeps_names(const PlacedUnit& unit) const {
     const bool behind_geometry = unit.stage == ShaderStage::fragment && !passed.empty();
-    const bool of_light = unit.scope.kind == ScopeKind::light && owners[unit.owner].kind == OwnerKind::effect;
-    return !behind_geometry && !of_light && owners[unit.owner].keeps_names_in(unit.stage);
+    return !behind_geometry && owners[unit.owner].keeps_names_in(unit.stage);
   }
-  /// A name as the composed text has it; in a light's own effect `castle_LightSource...` is that light's, and in fragment code
-  /// a varying that has passed a geometry stage has the name that it has there.
-  std::string final_name(const PlacedUnit& unit, std::string_view name) const;
+  /// A name as the composed text has it; in fragment code a varying that has passed a geometry stage has the name that it has
+  /// there.
+  std::string_view final_name(const PlacedUnit& unit, std::string_view name) const;
   /// What the owner's name is called once no two owners' names meet.
   std::string_view name_of(std::size_t owner, std::string_view name) const;
   /// The GLSL type of a castle_ name here: of a texture, its own sampler.
@@ -136,6 +138,9 @@ struct Composition {
   void mark_faulty(const PlacedUnit& unit) { mark_faulty(owners[unit.owner]); }
   void mark_faulty(const Owner& owner);
   bool is_faulty(const PlacedUnit& unit) const;
+  /// Reports at a name that stands at `begin` in the unit's code, and leaves its author out.
+  void report_fault(DiagnosticId id, const PlacedUnit& unit, std::string_view name, std::uint32_t begin, std::string message,
+                    std::vector<RelatedPlace> related = {});
 };
 
 /// The place of a name that stands at `begin` in the unit's text.

@@ -22,12 +22,6 @@ bool parameter_fits(const Parameter& parameter, const PlugParameter& plug, bool 
   return direction_fits && type_fits && parameter.array.empty();
 }
 
-std::string_view trim(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r\n";
-  const std::size_t begin = std::min(text.find_first_not_of(kBlank), text.size());
-  return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
-}
-
 bool is_name(std::string_view text) {
   return !text.empty() && is_identifier_start(text.front()) && std::all_of(text.begin(), text.end(), is_identifier_part);
 }
@@ -107,24 +101,8 @@ bool takes_texture(const FunctionOutline& function, std::string_view sampler) {
   return sampler.empty() ? !has_sampler : has_sampler && function.parameters[1].type == sampler;
 }
 
-std::vector<std::string_view> split_arguments(std::string_view arguments) {
-  std::vector<std::string_view> parts;
-  if (trim(arguments).empty()) return parts;
-  std::size_t begin = 0;
-  int depth = 0;
-  for (std::size_t i = 0; i <= arguments.size(); ++i) {
-    const char c = i < arguments.size() ? arguments[i] : ',';
-    if (c == '(' || c == '[') ++depth;
-    if (c == ')' || c == ']') --depth;
-    if (i < arguments.size() && (c != ',' || depth != 0)) continue;
-    parts.push_back(trim(arguments.substr(begin, i - begin)));
-    begin = i + 1;
-  }
-  return parts;
-}
-
 bool fits_marker(const FunctionOutline& function, const CodeUnit& code, const MarkerOutline& marker, bool has_overloads) {
-  const std::vector<std::string_view> arguments = split_arguments(marker.arguments);
+  const std::vector<std::string_view>& arguments = marker.argument_list;
   if (arguments.size() != function.parameters.size()) return false;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string_view wanted = function.parameters[i].type;

@@ -28,9 +28,6 @@ bool moves_vertices(const FunctionOutline& function);
 /// Whether a `texture_color` function takes a texture that this sampler reads; "" for one without a sampler.
 bool takes_texture(const FunctionOutline& function, std::string_view sampler);
 
-/// The arguments of a marker, split at the commas outside of brackets, without blanks around them.
-std::vector<std::string_view> split_arguments(std::string_view arguments);
-
 /// Whether the marker's call suits the function: as many arguments, and where a type matters (samplers always, others when
 /// the plug has overloads) no argument that is known to have another one.
 bool fits_marker(const FunctionOutline& function, const CodeUnit& code, const MarkerOutline& marker, bool has_overloads);

@@ -36,7 +36,7 @@ void note_precisions(Composition& c) {
   struct Range {
     std::size_t lowest = kWords.size(), highest = 0;
   };
-  std::map<std::string, Range> ranges;
+  std::map<std::string_view, Range> ranges;
   for (const PlacedUnit& unit : c.units) {
     if (unit.dropped) continue;
     for (const GlobalOutline& global : unit.code->outline.globals) {

@@ -2,7 +2,6 @@
 // then each unit as write_unit makes it.
 
 #include <algorithm>
-#include <deque>
 #include <set>
 #include <unordered_set>
 
@@ -26,14 +25,15 @@ class HeadWriter {
   MappedText write();
 
  private:
+  using Names = std::set<std::string_view>;  // of units' code, or kept by the composition
   void write_version();
   void write_extensions();
   void write_geometry();
   void write_switches();
   void write_castle_names();
-  void write_declaration(const std::string& name);
-  std::set<std::string> undeclared_names() const;
-  std::set<std::string> unwritten_inputs() const;
+  void write_declaration(std::string_view name);
+  Names undeclared_names() const;
+  Names unwritten_inputs() const;
   bool is_mentioned(std::string_view word) const;
 
   const Composition& c_;
@@ -87,20 +87,18 @@ void HeadWriter::write_geometry() {
 }
 
 /// castle_ names that a unit uses and neither it nor an earlier one declares.
-std::set<std::string> HeadWriter::undeclared_names() const {
-  std::deque<std::string> changed;  // names that are not as their units write them
-  const auto name_of = [&](const PlacedUnit& unit, std::string_view name) -> std::string_view {
-    return c_.keeps_names(unit) ? name : changed.emplace_back(c_.final_name(unit, name));
-  };
+HeadWriter::Names HeadWriter::undeclared_names() const {
   std::unordered_set<std::string_view> declared;
-  std::set<std::string> undeclared;
+  Names undeclared;
   for (const PlacedUnit* unit : units_) {
+    const bool kept = c_.keeps_names(*unit);
+    const auto name_of = [&](std::string_view name) { return kept ? name : c_.final_name(*unit, name); };
     for (const GlobalOutline& global : unit->code->outline.globals) {
-      if (global.name.starts_with("castle_")) declared.insert(name_of(*unit, global.name));
+      if (global.name.starts_with("castle_")) declared.insert(name_of(global.name));
     }
     for (const std::string& used : unit->code->castle_names) {
-      const std::string_view name = name_of(*unit, used);
-      if (!declared.contains(name)) undeclared.emplace(name);
+      const std::string_view name = name_of(used);
+      if (!declared.contains(name)) undeclared.insert(name);
     }
   }
   return undeclared;
@@ -108,25 +106,25 @@ std::set<std::string> HeadWriter::undeclared_names() const {
 
 /// Varyings that are read and that nobody writes: by a ComposedShader (undefined in old GLSL, but declared, and so linked,
 /// there), or by a geometry shader in a depth pass, where what it makes of them is not seen.
-std::set<std::string> HeadWriter::unwritten_inputs() const {
-  std::set<std::string> inputs;
+HeadWriter::Names HeadWriter::unwritten_inputs() const {
+  Names inputs;
   if (stage_ != ShaderStage::vertex) return inputs;
   for (const PlacedUnit& unit : c_.units) {
     const bool of_shader = unit.stage == ShaderStage::fragment && c_.owners[unit.owner].kind == OwnerKind::shader;
     const bool in_depth_pass = unit.stage == ShaderStage::geometry && c_.recipe.depth_only;
     if (of_shader || in_depth_pass) inputs.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
   }
-  std::erase_if(inputs, [](const std::string& name) {
+  std::erase_if(inputs, [](std::string_view name) {
     const auto meaning = find_castle_name(name);
     return !meaning || meaning->kind != CastleKind::varying;
   });
   for (const PlacedUnit* unit : units_) {
-    for (const GlobalOutline& global : unit->code->outline.globals) inputs.erase(std::string(global.name));
+    for (const GlobalOutline& global : unit->code->outline.globals) inputs.erase(global.name);
   }
   return inputs;
 }
 
-void HeadWriter::write_declaration(const std::string& name) {
+void HeadWriter::write_declaration(std::string_view name) {
   const std::string_view before = c_.has_geometry ? name_before_geometry(name) : "";
   const auto meaning = find_castle_name(before.empty() ? name : before);
   if (!meaning) return;
@@ -139,9 +137,11 @@ void HeadWriter::write_declaration(const std::string& name) {
   const Storage storage = meaning->kind == CastleKind::uniform ? Storage::uniform : is_out ? Storage::out : Storage::in;
   const std::string_view word = storage == Storage::uniform ? "uniform" : is_out ? "out" : "in";
   const std::string_view type = c_.type_of(*meaning);
-  head_.append_generated(
-      fmt::format("{} {} {}{};\n", word, type, name, is_array ? fmt::format("[{}]", c_.geometry.input_size) : ""));
-  declared_.globals[name] = {fmt::format("{} {}", static_cast<int>(storage), type), {}, 0};
+  std::string text(word);
+  text.append(1, ' ').append(type).append(1, ' ').append(name);
+  if (is_array) text += fmt::format("[{}]", c_.geometry.input_size);
+  head_.append_generated(text += ";\n");
+  declared_.globals[name] = {storage, type, "", nullptr, nullptr};
 }
 
 /// The switches that some call of the stage stands under.
@@ -157,9 +157,9 @@ void HeadWriter::write_switches() {
 }
 
 void HeadWriter::write_castle_names() {
-  std::set<std::string> names = undeclared_names();
+  Names names = undeclared_names();
   names.merge(unwritten_inputs());
-  for (const std::string& name : names) write_declaration(name);
+  for (const std::string_view name : names) write_declaration(name);
 }
 
 MappedText HeadWriter::write() {

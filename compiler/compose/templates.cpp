@@ -86,6 +86,7 @@ std::shared_ptr<const CodeUnit> make_template_unit(MappedText text) {
   const std::string_view bytes = unit->text.text();
   unit->tokens = tokenize(bytes, {});
   unit->outline = outline(bytes, unit->tokens, Storage::none);
+  note_plugs(*unit);
   note_castle_names(*unit, unit->tokens.tokens);
   for (const MarkerOutline& marker : unit->outline.markers) {
     const auto begin = static_cast<std::uint32_t>(marker.arguments.empty() ? 0 : marker.arguments.data() - bytes.data());
@@ -168,18 +169,36 @@ std::string form_key(std::string_view name, const Features& features, int number
   return key;
 }
 
-/// The place of a template among the files that plugc carries: its number in every source set.
-std::uint32_t file_number(std::string_view file) {
-  const auto files = stdlib_files();
-  return static_cast<std::uint32_t>(std::ranges::find(files, file, &StdlibFile::name) - files.begin());
+/// A template among the files that plugc carries.
+struct TemplateFile {
+  std::uint32_t number = 0;  // its place there: its number in every source set
+  std::string name;          // as messages show it
+  std::string_view text;
+};
+
+const TemplateFile& find_template(std::string_view name) {
+  static const std::unordered_map<std::string_view, TemplateFile> templates = [] {
+    constexpr std::string_view kFolder = "templates/";
+    std::unordered_map<std::string_view, TemplateFile> all;
+    const auto files = stdlib_files();
+    for (std::uint32_t i = 0; i < files.size(); ++i) {
+      const std::string_view file = files[i].name;
+      if (file.starts_with(kFolder))
+        all.emplace(file.substr(kFolder.size()), TemplateFile{i, fmt::format("plugc:/{}", file), files[i].text});
+    }
+    return all;
+  }();
+  const auto found = templates.find(name);
+  PLUGC_CHECK(found != templates.end(), "templates are asked for by names that there are");
+  return found->second;
 }
 
 }  // namespace
 
 SourceId TemplateLibrary::source(std::string_view name) {
   if (const auto found = loaded_.find(name); found != loaded_.end()) return found->second;
-  const std::string file = fmt::format("templates/{}", name);
-  const SourceId id = sources_->add_fixed(file_number(file), fmt::format("plugc:/{}", file), stdlib_text(file));
+  const TemplateFile& file = find_template(name);
+  const SourceId id = sources_->add_fixed(file.number, file.name, file.text);
   loaded_.emplace(name, id);
   return id;
 }

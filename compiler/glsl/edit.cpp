@@ -11,16 +11,17 @@
 namespace plugc {
 
 void append_edited(const MappedText& text, std::vector<Edit> edits, MappedText& result) {
-  std::stable_sort(edits.begin(), edits.end(),
-                   [](const Edit& a, const Edit& b) { return std::tie(a.begin, a.end) < std::tie(b.begin, b.end); });
+  const auto in_front = [](const Edit& a, const Edit& b) { return std::tie(a.begin, a.end) < std::tie(b.begin, b.end); };
+  if (!std::ranges::is_sorted(edits, in_front)) std::ranges::stable_sort(edits, in_front);
   std::uint32_t copied = 0;
   for (const Edit& edit : edits) {
     PLUGC_CHECK(copied <= edit.begin && edit.begin <= edit.end && edit.end <= text.size(),
                 "edits lie inside the text and do not overlap");
     result.append(text, copied, edit.begin);
-    const Span replaced = edit.begin < edit.end ? text.locate(edit.begin, edit.end) : Span{};
-    result.append_generated(edit.replacement, edit.origin.valid() ? edit.origin : replaced);
     copied = edit.end;
+    if (edit.replacement.empty()) continue;
+    const bool replaces = !edit.origin.valid() && edit.begin < edit.end;
+    result.append_generated(edit.replacement, replaces ? text.locate(edit.begin, edit.end) : edit.origin);
   }
   result.append(text, copied, text.size());
 }

@@ -3,6 +3,8 @@
 
 #include "glsl/marker.h"
 
+#include <algorithm>
+
 #include "glsl/scan.h"
 
 namespace plugc {
@@ -68,6 +70,12 @@ bool read_arguments(Cursor& cursor, MarkerWords& words) {
   return false;
 }
 
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  const std::size_t begin = std::min(text.find_first_not_of(kBlank), text.size());
+  return text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin);
+}
+
 }  // namespace
 
 bool is_marker(std::string_view comment) {
@@ -95,6 +103,22 @@ MarkerWords read_marker(std::string_view text, const Token& marker) {
   cursor.skip_space();
   words.well_formed = words.well_formed && cursor.at_end();
   return words;
+}
+
+std::vector<std::string_view> split_arguments(std::string_view arguments) {
+  std::vector<std::string_view> parts;
+  if (trim(arguments).empty()) return parts;
+  std::size_t begin = 0;
+  int depth = 0;
+  for (std::size_t i = 0; i <= arguments.size(); ++i) {
+    const char c = i < arguments.size() ? arguments[i] : ',';
+    if (c == '(' || c == '[') ++depth;
+    if (c == ')' || c == ']') --depth;
+    if (i < arguments.size() && (c != ',' || depth != 0)) continue;
+    parts.push_back(trim(arguments.substr(begin, i - begin)));
+    begin = i + 1;
+  }
+  return parts;
 }
 
 }  // namespace plugc

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "glsl/outline.h"
 
@@ -22,5 +23,8 @@ struct MarkerWords {
 
 /// `marker` is a token of that kind.
 MarkerWords read_marker(std::string_view text, const Token& marker);
+
+/// The arguments of a marker, split at the commas outside of brackets, without blanks around them.
+std::vector<std::string_view> split_arguments(std::string_view arguments);
 
 }  // namespace plugc

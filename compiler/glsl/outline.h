@@ -73,9 +73,11 @@ enum class MarkerKind : std::uint8_t { plug, declarations, varying_passthrough }
 
 struct MarkerOutline {
   MarkerKind kind = MarkerKind::plug;
-  std::string_view name;             ///< Of the plug.
-  std::string_view arguments;        ///< Between the brackets, as written.
-  std::uint32_t begin = 0, end = 0;  ///< The whole comment.
+  std::string_view name;                        ///< Of the plug.
+  std::string_view arguments;                   ///< Between the brackets, as written.
+  std::vector<std::string_view> argument_list;  ///< The same, cut at its commas.
+  bool is_sole_statement = false;               ///< The whole body of an `if`, `else` or loop, which must stay one statement.
+  std::uint32_t begin = 0, end = 0;             ///< The whole comment.
   std::uint32_t name_begin = 0;
   std::uint32_t enclosing_function = UINT32_MAX;  ///< Index into functions, or none at global scope.
 };

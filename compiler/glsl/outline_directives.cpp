@@ -23,6 +23,7 @@ class DirectiveReader {
       if (token.kind == TokenKind::directive) read_directive(token);
       if (token.kind == TokenKind::marker) read_marker_token(token);
       if (token.kind == TokenKind::invalid) read_invalid(token);
+      if (token.kind != TokenKind::marker) before_ = token_text(text_, token);
     }
     for (const Token& condition : conditions_) report_open(condition);
   }
@@ -104,10 +105,12 @@ class DirectiveReader {
     marker.kind = words.kind;
     marker.name = text_.substr(words.name_begin, words.name_end - words.name_begin);
     marker.arguments = text_.substr(words.arguments_begin, words.arguments_end - words.arguments_begin);
+    marker.argument_list = split_arguments(marker.arguments);
+    marker.is_sole_statement = before_ == ")" || before_ == "else" || before_ == "do";
     marker.begin = token.begin;
     marker.end = token.end;
     marker.name_begin = words.name_begin;
-    outline_.markers.push_back(marker);
+    outline_.markers.push_back(std::move(marker));
   }
 
   void read_invalid(const Token& token) {
@@ -122,6 +125,7 @@ class DirectiveReader {
   std::string_view text_;
   Outline& outline_;
   std::vector<Token> conditions_;
+  std::string_view before_;  // the last token that is no marker
 };
 
 }  // namespace

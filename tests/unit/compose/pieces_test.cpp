@@ -7,6 +7,7 @@
 #include "compose/plug_signature.h"
 #include "compose/plug_table.h"
 #include "compose_fixture.h"
+#include "glsl/marker.h"
 #include "stdlib_plugs/stdlib_plugs.h"
 
 namespace plugc {
