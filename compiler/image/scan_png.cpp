@@ -72,6 +72,7 @@ std::optional<Image> read_header(const Chunk& chunk, std::size_t file_bytes) {
 /// The compressed data: the content of all IDAT chunks, which follow each other.
 std::optional<std::string> take_data(std::string_view bytes) {
   std::string data;
+  data.reserve(bytes.size());
   bool was_data = false, is_over = false;
   while (const std::optional<Chunk> chunk = take_chunk(bytes)) {
     if (chunk->type == "IEND") return data;
@@ -89,16 +90,23 @@ std::size_t window_bytes(const std::string& data) {
   return std::size_t{256} << (static_cast<std::uint8_t>(data[0]) >> 4);
 }
 
-/// The filtered rows: exactly so many bytes, from all of the data.
-std::vector<std::uint8_t> decompress(const std::string& data, std::size_t size) {
+/// The filtered rows.
+struct Rows {
+  std::unique_ptr<std::uint8_t[]> bytes;  // not zeroed first, which takes as long as some of the decoding
+  std::size_t size = 0;
+};
+
+/// Exactly so many bytes, from all of the data; else nothing.
+std::optional<Rows> decompress(const std::string& data, std::size_t size) {
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
       libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-  std::vector<std::uint8_t> rows(size);
+  if (decompressor == nullptr) return std::nullopt;
+  Rows rows{std::make_unique_for_overwrite<std::uint8_t[]>(size), size};
   std::size_t used = 0;
-  const bool ok =
-      decompressor != nullptr && libdeflate_zlib_decompress_ex(decompressor.get(), data.data(), data.size(), rows.data(), size,
-                                                               &used, nullptr) == LIBDEFLATE_SUCCESS;
-  return ok && used == data.size() ? rows : std::vector<std::uint8_t>();
+  const libdeflate_result result =
+      libdeflate_zlib_decompress_ex(decompressor.get(), data.data(), data.size(), rows.bytes.get(), size, &used, nullptr);
+  if (result != LIBDEFLATE_SUCCESS || used != data.size()) return std::nullopt;
+  return rows;
 }
 
 /// What a filter takes off a byte, from the unfiltered bytes to its left, above, and above that one (clause 9.4).
@@ -139,11 +147,11 @@ AlphaUse alpha_of_line(const std::vector<std::uint8_t>& line) {
 }
 
 /// nullopt where a row has a filter that there is not.
-std::optional<AlphaUse> alpha_of_rows(const std::vector<std::uint8_t>& rows, const Image& image) {
+std::optional<AlphaUse> alpha_of_rows(const Rows& rows, const Image& image) {
   const std::size_t row_bytes = 1 + std::size_t{image.width} * image.channels;
   std::vector<std::uint8_t> line(image.width + 1);
   AlphaUse use = AlphaUse::opaque;
-  for (const std::uint8_t* row = rows.data(); row != rows.data() + rows.size(); row += row_bytes) {
+  for (const std::uint8_t *row = rows.bytes.get(), *end = row + rows.size; row != end; row += row_bytes) {
     if (row[0] >= kFilters) return std::nullopt;
     if (image.channels % 2 != 0 || use == AlphaUse::blended) continue;
     unfilter_alpha(row[0], row + image.channels, image.channels, line);
@@ -163,8 +171,8 @@ std::optional<Image> scan_png(std::string_view bytes) {
   if (!data) return std::nullopt;
   const std::size_t size = image->height * (1 + std::size_t{image->width} * image->channels);
   if (data->empty() || data->size() > size || window_bytes(*data) < std::min(size, kFullWindow)) return std::nullopt;
-  const std::vector<std::uint8_t> rows = decompress(*data, size);
-  const std::optional<AlphaUse> alpha = rows.empty() ? std::nullopt : alpha_of_rows(rows, *image);
+  const std::optional<Rows> rows = decompress(*data, size);
+  const std::optional<AlphaUse> alpha = rows ? alpha_of_rows(*rows, *image) : std::nullopt;
   if (!alpha) return std::nullopt;
   image->alpha = *alpha;
   return image;
