@@ -99,7 +99,8 @@ PreparedScene make_programs(LoadedScene loaded, PreparedFor purpose, const Compi
   auto timer = std::make_unique<PhaseTimer>(statistics.prepare);
   if (const auto& pair = options.arrangement) arrange_pair(loaded.scene, pair->first, pair->second, pair->order);
   MeshCache meshes;
-  PreparedScene prepared = prepare_scene(loaded.graph, std::move(loaded.scene), purpose, files, diagnostics, meshes);
+  PreparedScene prepared =
+      prepare_scene(loaded.graph, std::move(loaded.scene), purpose, files, diagnostics, meshes, options.known_images);
   // from here geometry is triangles, images are pixels, effects are outlined, and every shape has its recipe
   timer.reset();
   ValidationStatistics validation;

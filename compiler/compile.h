@@ -16,6 +16,7 @@
 #include "base/diagnostics.h"
 #include "compose/effect_pairs.h"
 #include "document/document.h"
+#include "image/load_images.h"
 #include "package/assemble_package.h"
 #include "validate/measure_costs.h"
 #include "validate/validate.h"
@@ -39,6 +40,7 @@ struct CompileOptions {
   bool library = false;  ///< A file with effects and no shape becomes a library: each effect alone on built-in shapes.
   std::vector<std::string> dynamic;  ///< `DEF.field`: what a host may change while the scene is drawn.
   std::optional<EffectArrangement> arrangement = {};
+  KnownImages* known_images = nullptr;  ///< For lint: what earlier calls have found out of images.
 };
 
 /// Where the time went, in milliseconds, and how much was made.

@@ -167,13 +167,13 @@ void prepare_recipes(PreparedScene& prepared) {
 }  // namespace
 
 PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor purpose, FileAccess& files,
-                            Diagnostics& diagnostics, MeshCache& meshes) {
+                            Diagnostics& diagnostics, MeshCache& meshes, KnownImages* images) {
   PreparedScene prepared;
   SceneParts& parts = prepared.parts;
   parts.scene = std::move(scene);
   parts.shapes.resize(parts.scene.shapes.size());
   const auto detail = purpose == PreparedFor::drawing ? ImageDetail::pixels : ImageDetail::facts;
-  parts.images = load_images(graph, parts.scene, files, diagnostics, detail);
+  parts.images = load_images(graph, parts.scene, files, diagnostics, detail, images);
   drop_missing_textures(parts.scene, parts.images);
   // from here textures have their final numbers, which those of texture coordinates follow
   prepare_meshes(graph, parts, meshes, diagnostics);

@@ -12,6 +12,7 @@
 #include "compose/compose.h"
 #include "compose/recipe.h"
 #include "compose/shape_states.h"
+#include "image/load_images.h"
 #include "mesh/unit_coords.h"
 #include "package/assemble_package.h"
 #include "scene/scene.h"
@@ -40,6 +41,6 @@ enum class PreparedFor : std::uint8_t {
 };
 
 PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor purpose, FileAccess& files,
-                            Diagnostics& diagnostics, MeshCache& meshes);
+                            Diagnostics& diagnostics, MeshCache& meshes, KnownImages* images = nullptr);
 
 }  // namespace plugc

@@ -41,9 +41,12 @@ LintedFiles lint_files(const std::vector<std::filesystem::path>& files, const Li
   LintedFiles linted(files.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&](Validator& validator) {
+    KnownImages images;
+    CompileOptions with_images = compile_with;
+    with_images.known_images = &images;
     for (std::size_t i = next++; i < files.size(); i = next++) {
       linted[i] = std::make_unique<LintedFile>();
-      lint(files[i], compile_with, validator, linted[i]->sources, linted[i]->diagnostics);
+      lint(files[i], with_images, validator, linted[i]->sources, linted[i]->diagnostics);
     }
   };
   std::vector<std::jthread> threads;

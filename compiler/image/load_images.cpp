@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <map>
 
+#define XXH_INLINE_ALL
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include "base/data_url.h"
 #include "image/join_images.h"
@@ -24,15 +26,26 @@ struct Loading {
   FileAccess& files;
   Diagnostics& diagnostics;
   ImageDetail detail;
+  KnownImages* known;
 };
 
 std::shared_ptr<const Image> shared(std::optional<Image> image) {
   return image ? std::make_shared<const Image>(std::move(*image)) : nullptr;
 }
 
+/// A broken file is decoded for each scene anew, so that each is told of it.
+std::shared_ptr<const Image> decode(const Loading& l, std::string_view bytes, std::string_view name, const Span& span,
+                                    Diagnostics& failures) {
+  if (l.known == nullptr || l.detail == ImageDetail::pixels) return shared(decode_image(bytes, name, span, failures, l.detail));
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  std::shared_ptr<const Image>& image = l.known->by_hash[{hash.high64, hash.low64}];
+  if (image == nullptr) image = shared(decode_image(bytes, name, span, failures, l.detail));
+  return image;
+}
+
 std::shared_ptr<const Image> load_data_url(const Loading& l, const MappedText& url, const Span& span, Diagnostics& failures) {
   const std::string_view start = url.text().substr(0, std::min<std::size_t>(url.text().find(','), 64));
-  if (const auto bytes = data_url_bytes(url.text())) return shared(decode_image(*bytes, start, span, failures, l.detail));
+  if (const auto bytes = data_url_bytes(url.text())) return decode(l, *bytes, start, span, failures);
   failures.report(DiagnosticId::image_invalid, span,
                   "this `data:` url holds no readable image; write `data:image/png;base64,` and the file in base64");
   return nullptr;
@@ -48,7 +61,7 @@ std::shared_ptr<const Image> load_url(const Loading& l, NodeId texture, const Ma
   }
   const auto bytes = read_url(l.files, url.text(), base, span, failures);
   if (!bytes || !path) return nullptr;
-  return l.loaded[*path] = shared(decode_image(*bytes, url.text(), span, failures, l.detail));
+  return l.loaded[*path] = decode(l, *bytes, url.text(), span, failures);
 }
 
 std::shared_ptr<const Image> load_urls(const Loading& l, NodeId texture) {
@@ -125,9 +138,9 @@ std::shared_ptr<const Image> load_texture(const Loading& l, NodeId texture) {
 }  // namespace
 
 std::vector<std::shared_ptr<const Image>> load_images(const NodeGraph& graph, const Scene& scene, FileAccess& files,
-                                                      Diagnostics& diagnostics, ImageDetail detail) {
+                                                      Diagnostics& diagnostics, ImageDetail detail, KnownImages* known) {
   ImagesByPath loaded;
-  const Loading loading{graph, loaded, files, diagnostics, detail};
+  const Loading loading{graph, loaded, files, diagnostics, detail, known};
   std::vector<std::shared_ptr<const Image>> images;
   for (const SceneTexture& texture : scene.textures) {
     images.push_back(texture.has_pixels ? load_texture(loading, texture.node) : nullptr);

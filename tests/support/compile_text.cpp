@@ -70,6 +70,8 @@ std::vector<std::string> Compiled::messages() const {
 
 std::vector<std::string> lint_messages(const fs::path& scene, CompileOptions options) {
   if (options.root.empty()) options.root = scene.parent_path();
+  static KnownImages known;  // of all tests: what was found out of another scene's images must not be heard
+  options.known_images = &known;
   SourceSet sources;
   Diagnostics diagnostics(sources);
   lint(scene, options, process_validator(), sources, diagnostics);
