@@ -21,8 +21,6 @@ constexpr double kSmallestSpotAngle = 1e-3;
 constexpr double kLargestSpotAngle = 0.95 * kPi;  // X3D's default cutOffAngle of pi/2 would ask for 180 degrees
 constexpr double kNearestSpotRatio = 1e-3;        // near / far
 constexpr double kDepthMargin = 0.01;             // of the fitted range, on both ends
-constexpr double kThinnest = 1e-6;                // a range of a flat scene, relative to its distance
-constexpr std::size_t kMostReceiversTried = 256;  // one by one, for each flat caster
 
 bool all_known(const std::vector<PlacedBox>& boxes) {
   return std::ranges::all_of(boxes, &PlacedBox::known);
@@ -36,24 +34,21 @@ Box box_in(const std::vector<PlacedBox>& boxes, const glm::dmat4& world_to_light
 
 /// True for a flat shape behind which, seen from the light, nothing receives: a ground that everything stands on. It
 /// cannot shadow itself either, so it takes no part in the window, though as a caster it may be the largest.
-bool shadows_nothing(const PlacedBox& caster, const glm::dvec4& light, const FitInput& input, const Box& receivers) {
-  const glm::dvec3 size = caster.box.size();
-  const double thin = kThinnest * std::max({size.x, size.y, size.z});
-  const int axis = size.x <= thin ? 0 : size.y <= thin ? 1 : size.z <= thin ? 2 : -1;
-  if (axis < 0 || receivers.empty() || !caster.known) return false;
-  const glm::dmat3 axes(caster.to_world);
-  glm::dvec3 normal = glm::normalize(glm::cross(axes[(axis + 1) % 3], axes[(axis + 2) % 3]));
-  const glm::dvec3 center(caster.to_world * glm::dvec4(caster.box.center(), 1));
-  if (glm::dot(normal, glm::dvec3(light) - center * light.w) < 0) normal = -normal;
+bool shadows_nothing(const PlacedBox& caster, const glm::dvec3& towards_light, const Box& receivers) {
+  const std::optional<glm::dvec4> front = front_of(caster, {towards_light, 0});
+  if (!front || receivers.empty()) return false;
   const double rounding = kThinnest * glm::length(receivers.size());
-  const auto on_lit_side = [&](const Box& box, const glm::dmat4& to_world) {
-    return std::ranges::all_of(corners(box), [&](const glm::dvec3& corner) {
-      return glm::dot(normal, glm::dvec3(to_world * glm::dvec4(corner, 1)) - center) >= -rounding;
-    });
-  };
-  if (on_lit_side(receivers, glm::dmat4(1.0))) return true;
-  return input.receivers.size() <= kMostReceiversTried &&
-         std::ranges::all_of(input.receivers, [&](const PlacedBox& one) { return on_lit_side(one.box, one.to_world); });
+  return std::ranges::all_of(corners(receivers),
+                             [&](const glm::dvec3& corner) { return glm::dot(*front, glm::dvec4(corner, 1)) >= -rounding; });
+}
+
+/// The casters that can shadow a receiver.
+std::vector<PlacedBox> effective_casters(const FitInput& input, const glm::dvec3& towards_light) {
+  const Box receivers = box_in(input.receivers, glm::dmat4(1.0));
+  std::vector<PlacedBox> casters;
+  std::ranges::copy_if(input.casters, std::back_inserter(casters),
+                       [&](const PlacedBox& caster) { return !shadows_nothing(caster, towards_light, receivers); });
+  return casters;
 }
 
 bool finite_as_float(const glm::dmat4& matrix) {
@@ -77,7 +72,8 @@ Interval chosen(const LightFrame& light, Interval fitted) {
 View fit_directional(const LightFrame& light, const FitInput& input) {
   View view = look_along(light.location, light.direction, light.up);
   const bool may_move = !all_known(input.casters) || !all_known(input.receivers);
-  const Box casters = box_in(may_move ? input.casters : effective_casters(input, view, false), view.world_to_eye);
+  const Box casters =
+      box_in(may_move ? input.casters : effective_casters(input, glm::dvec3(view.eye_to_world[2])), view.world_to_eye);
   const Box receivers = box_in(input.receivers, view.world_to_eye);
   Box around = join(casters, receivers);
   if (around.empty()) around = {glm::dvec3(-1), glm::dvec3(1)};
@@ -164,6 +160,7 @@ LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, con
   LightFrame frame;
   frame.kind = light.kind();
   frame.map_size = map.size();
+  frame.unit = longer;
   frame.direction = glm::dmat3(place) * slots.vector3(light.direction(), {0, 0, -1});
   frame.up = up_of(place, slots.vector3(map.up(), glm::dvec3(0)));
   frame.near = slots.number(map.near(), 0) * longer;
@@ -219,15 +216,18 @@ View checked(const View& view) {
   return fallback;
 }
 
-std::vector<PlacedBox> effective_casters(const FitInput& input, const View& light, bool spot) {
-  const bool moves = std::ranges::any_of(input.receivers, [](const PlacedBox& placed) { return !placed.known; });
-  if (moves) return input.casters;
-  const Box receivers = box_in(input.receivers, glm::dmat4(1.0));
-  const glm::dvec4 towards = spot ? light.eye_to_world[3] : light.eye_to_world[2];
-  std::vector<PlacedBox> casters;
-  std::ranges::copy_if(input.casters, std::back_inserter(casters),
-                       [&](const PlacedBox& caster) { return !shadows_nothing(caster, towards, input, receivers); });
-  return casters;
+std::optional<glm::dvec4> front_of(const PlacedBox& placed, const glm::dvec4& light) {
+  const glm::dvec3 size = placed.box.size();
+  const double thin = kThinnest * std::max({size.x, size.y, size.z});
+  const int axis = size.x <= thin ? 0 : size.y <= thin ? 1 : size.z <= thin ? 2 : -1;
+  if (axis < 0 || !placed.known) return std::nullopt;
+  const glm::dmat3 axes(placed.to_world);
+  glm::dvec3 normal = glm::cross(axes[(axis + 1) % 3], axes[(axis + 2) % 3]);
+  const double length = glm::length(normal);
+  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+  const glm::dvec3 center(placed.to_world * glm::dvec4(placed.box.center(), 1));
+  if (glm::dot(normal, glm::dvec3(light) - center * light.w) < 0) normal = -normal;
+  return glm::dvec4(normal, -glm::dot(normal, center)) / length;
 }
 
 View fit_light(const LightFrame& light, const FitInput& input) {

@@ -5,6 +5,7 @@
 // Every result is finite, whatever goes in.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,13 @@ struct LightFrame {
   double radius = -1;          ///< Spot: how far the light reaches; negative: for ever.
   glm::dvec4 rectangle{0};     ///< Directional: left bottom right top.
   std::uint32_t map_size = 1;  ///< Texels along a side: how wide a margin of one texel is.
+  double unit = 1;             ///< World length of a unit of the light's own space.
 
   bool operator==(const LightFrame&) const = default;
 };
+
+/// What is flatter has no thickness of its own, relative to its size or its distance.
+inline constexpr double kThinnest = 1e-6;
 
 /// Distances, lengths or tangents.
 struct Interval {
@@ -68,8 +73,9 @@ glm::dmat4 perspective(const glm::dvec4& window, const Interval& depth, bool rev
 Interval widened(Interval range, double margin);
 /// The view, or one of nothing where it is not finite as floats.
 View checked(const View& view);
-/// The casters that can shadow a receiver, seen from a light with that view.
-std::vector<PlacedBox> effective_casters(const FitInput& input, const View& light, bool spot);
+/// The plane of a flat box, with its inside (as Hull has it) towards the light: a direction (w 0) or a place (w 1). None for a
+/// box that is not flat, or whose shape may leave it.
+std::optional<glm::dvec4> front_of(const PlacedBox& placed, const glm::dvec4& light);
 
 /// World space to the map's texture space: x and y from 0 to 1, depth from 0 to 1 or as `reversed` says.
 glm::dmat4 world_to_texture(const View& light);

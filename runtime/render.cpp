@@ -39,7 +39,7 @@ void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t 
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
   const ShadowMap& map = scene.shadow_maps[index];
   gl::begin_depth_pass(gl, map.framebuffer, map.size, finite_offset(scene.slots.number(packed.scale(), 4)),
-                       finite_offset(scene.slots.number(packed.bias(), 4)), map.reversed);
+                       finite_offset(scene.slots.number(packed.bias(), 4) * map.fit.coarseness), map.reversed);
   Pass pass{map.view, true, false, std::vector<View>(scene.shadow_maps.size()), {}};
   std::uint32_t drawn = 0;
   for (const std::uint32_t shape : caster_order(scene, map.view)) drawn += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;

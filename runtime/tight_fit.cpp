@@ -4,7 +4,8 @@
 // what the map shows. Outside of it all is lit, as nothing casts there.
 //
 // Steps: a texel's size is one of a geometric series, the window's low end a whole number of texels (in cells of several), so
-// that equal demands give equal windows, whichever way the camera came. A window that was used last is kept as long as it
+// that equal demands give equal windows, whichever way the camera came. They are counted in the light's own units, so that a
+// scene with its light looks the same at whatever size it stands. A window that was used last is kept as long as it
 // holds what is needed and is not much larger.
 
 #include "runtime/tight_fit.h"
@@ -27,6 +28,8 @@ constexpr double kTexelSteps = 16;              // sizes of a texel from one to 
 constexpr double kKeptSize = 1.1;               // how much larger than needed a texel may be for its window to be kept
 constexpr double kKeptDepth = 4;                // the same for the depths
 constexpr double kDepthMargin = 0.01;
+constexpr std::size_t kMostReceiversTried = 256;  // for each flat caster
+constexpr double kCoarsest = 65536;               // beyond, shadows would part from what casts them by more than eyes forgive
 constexpr double kNearestRatio = 1e-6;  // near / far of a spot light: nearness costs nothing, but floats end somewhere
 constexpr double kSmallestHalfAngle = 5e-4;
 constexpr double kLargestHalfAngle = 0.475 * std::numbers::pi;
@@ -101,8 +104,9 @@ bool any_unknown(const std::vector<PlacedBox>& boxes) {
   return std::ranges::any_of(boxes, [](const PlacedBox& placed) { return !placed.known; });
 }
 
-/// The window of all that receives and can be seen; a receiver without known bounds may be anywhere that is in view.
-Box receivers_window(const LightSpace& space, const FitInput& input, double far) {
+/// The window of all that receives and can be seen, and is behind `part` where there is such a plane; a receiver without known
+/// bounds may be anywhere that is in view.
+Box receivers_window(const LightSpace& space, const FitInput& input, const Hull* part, double far) {
   const Hull* const cone = space.spot ? &space.cone : nullptr;
   Hull camera;
   if (input.camera != nullptr) {
@@ -112,15 +116,24 @@ Box receivers_window(const LightSpace& space, const FitInput& input, double far)
   Box window;
   for (const PlacedBox& placed : input.receivers) {
     const Hull hull = hull_of(placed.box, space.view.world_to_eye * placed.to_world);
-    window = join(window, common_window(space, {&hull, view, cone}, far));
+    window = join(window, common_window(space, {&hull, view, cone, part}, far));
   }
   if (!any_unknown(input.receivers)) return window;
-  if (view != nullptr || cone != nullptr) return join(window, common_window(space, {view, cone}, far));
+  if (view != nullptr || cone != nullptr) return join(window, common_window(space, {view, cone, part}, far));
   for (const PlacedBox& placed : input.casters) {
     const Hull hull = hull_of(placed.box, space.view.world_to_eye * placed.to_world);
-    window = join(window, common_window(space, {&hull}, far));
+    window = join(window, common_window(space, {&hull, part}, far));
   }
   return window;
+}
+
+/// The same, never flat.
+Box thickened(const Box& window) {
+  if (window.empty()) return window;
+  const Interval x = widened({window.min.x, window.max.x}, 0);
+  const Interval y = widened({window.min.y, window.max.y}, 0);
+  const Interval z = widened({window.min.z, window.max.z}, 0);
+  return {{x.low, y.low, z.low}, {x.high, y.high, z.high}};
 }
 
 /// From what receives towards the light.
@@ -135,31 +148,51 @@ Hull casting_space(const LightSpace& space, const FitInput& input, const Box& re
                  glm::dmat4(1.0));
 }
 
+/// Where what receives lies behind a flat caster; all of it for another caster. A ground that all stands on shadows nothing,
+/// and one that things stick in a little shadows little.
+Box receivers_behind(const LightSpace& space, const FitInput& input, const PlacedBox& caster, const Box& receivers,
+                     double far) {
+  if (input.receivers.size() > kMostReceiversTried) return receivers;
+  const PlacedBox seen = {caster.box, space.view.world_to_eye * caster.to_world, caster.known};
+  const std::optional<glm::dvec4> front = front_of(seen, space.spot ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(0, 0, 1, 0));
+  if (!front) return receivers;
+  Hull behind;
+  behind.planes = {-*front - glm::dvec4(0, 0, 0, kThinnest * far)};
+  return intersect(thickened(receivers_window(space, input, &behind, far)), receivers);
+}
+
 /// The window, within that of the receivers, where something casts.
 Box casters_window(const LightSpace& space, const FitInput& input, const Box& receivers, double far) {
   if (any_unknown(input.casters)) return receivers;
-  const Hull where = casting_space(space, input, receivers);
   Box window;
-  for (const PlacedBox& placed : effective_casters(input, space.view, space.spot)) {
-    const Hull hull = hull_of(placed.box, space.view.world_to_eye * placed.to_world);
+  for (const PlacedBox& caster : input.casters) {
+    const Box reached = receivers_behind(space, input, caster, receivers, far);
+    if (reached.empty()) continue;
+    const Hull where = casting_space(space, input, reached);
+    const Hull hull = hull_of(caster.box, space.view.world_to_eye * caster.to_world);
     window = join(window, common_window(space, {&hull, &where}, far));
   }
   return window;
 }
 
-/// A range of `size` texels around what is needed, its texel from a geometric series and its low end on a grid.
-Interval in_steps(Interval needed, std::uint32_t size) {
+/// The next of a geometric series of lengths, `steps` from one to its double.
+double stepped_up(double length, double unit, double steps) {
+  return unit * std::exp2(std::ceil(std::log2(length / unit) * steps) / steps);
+}
+
+/// An extent of `size` texels around what is needed, its texel from a geometric series and its low end on a grid.
+Interval in_steps(Interval needed, std::uint32_t size, double unit) {
   needed = widened(needed, 0);
   if (size < kSmallestSnapped) return widened(needed, 1.0 / std::max(size, 16U));
   const double cell = std::max(size / kCellsPerSide, 1U);
   const double usable = size - 2 * kMarginTexels - cell;
-  const double texel = std::exp2(std::ceil(std::log2((needed.high - needed.low) / usable) * kTexelSteps) / kTexelSteps);
+  const double texel = stepped_up((needed.high - needed.low) / usable, unit, kTexelSteps);
   const double low = std::floor((needed.low / texel - kMarginTexels) / cell) * cell * texel;
   return {low, low + size * texel};
 }
 
-Interval depth_in_steps(const Interval& needed) {
-  const double step = std::exp2(std::ceil(std::log2(needed.high - needed.low) * 2) / 2) / 8;
+Interval depth_in_steps(const Interval& needed, double unit) {
+  const double step = stepped_up(needed.high - needed.low, unit, 2) / 8;
   return {std::floor(needed.low / step) * step, std::ceil(needed.high / step) * step};
 }
 
@@ -173,26 +206,46 @@ bool still_serves(const Interval& kept, const Interval& needed, const Interval& 
          kept.high - kept.low <= (fresh.high - fresh.low) * kKeptSize;
 }
 
+/// How far the camera sees what receives; without one, how far that spreads.
+double reach_of(const LightSpace& space, const View* camera, const Box& receivers) {
+  const glm::dvec3 eye = camera == nullptr ? receivers.center() : glm::dvec3(space.view.world_to_eye * camera->eye_to_world[3]);
+  double reach = 0;
+  for (const glm::dvec3& corner : corners(receivers)) {
+    const glm::dvec2 beside = glm::dvec2(corner) * (space.spot ? corner.z : 1.0);
+    reach = std::max(reach, glm::distance(eye, glm::dvec3(beside, -corner.z)));
+  }
+  return reach;
+}
+
+/// In powers of two, so that a camera that moves on changes it rarely.
+double coarseness_of(double reach, double depth) {
+  const double ratio = std::clamp(reach / std::max(depth, kSmallestLength), 1.0, kCoarsest);
+  return std::exp2(std::ceil(std::log2(ratio)));
+}
+
 /// Window and depths that hold `needed`: those of the memory, or new ones.
-void choose(const LightSpace& space, const LightFrame& light, const Box& needed, FitMemory& memory) {
+void choose(const LightSpace& space, const LightFrame& light, const Box& needed, double coarseness, FitMemory& memory) {
   const Interval x = {needed.min.x, needed.max.x};
   const Interval y = {needed.min.y, needed.max.y};
-  const Interval fresh_x = in_steps(x, light.map_size);
-  const Interval fresh_y = in_steps(y, light.map_size);
+  const double unit = light.unit > kSmallestLength && light.unit < kLargestLength ? light.unit : 1;
+  const Interval fresh_x = in_steps(x, light.map_size, space.spot ? 1 : unit);
+  const Interval fresh_y = in_steps(y, light.map_size, space.spot ? 1 : unit);
   Interval depth = widened({needed.min.z, needed.max.z}, kDepthMargin);
   if (space.spot) depth.low = std::max(depth.low, depth.high * kNearestRatio);
   const Interval fresh_depth =
-      space.spot ? Interval{std::exp2(std::floor(std::log2(depth.low))), depth.high} : depth_in_steps(depth);
+      space.spot ? Interval{unit * std::exp2(std::floor(std::log2(depth.low / unit))), depth.high} : depth_in_steps(depth, unit);
   if (memory.any && memory.light == light) {
     const Interval kept_x = {memory.window.x, memory.window.z};
     const Interval kept_y = {memory.window.y, memory.window.w};
     const bool depth_serves = space.spot ? memory.depth.low <= depth.low && depth.low <= memory.depth.low * kKeptDepth
                                          : holds(memory.depth, depth) && memory.depth.high - memory.depth.low <=
                                                                              (fresh_depth.high - fresh_depth.low) * kKeptDepth;
-    if (depth_serves && still_serves(kept_x, x, fresh_x, light.map_size) && still_serves(kept_y, y, fresh_y, light.map_size))
+    const bool coarse_enough = coarseness <= memory.coarseness && memory.coarseness <= coarseness * kKeptDepth;
+    if (depth_serves && coarse_enough && still_serves(kept_x, x, fresh_x, light.map_size) &&
+        still_serves(kept_y, y, fresh_y, light.map_size))
       return;
   }
-  memory = {light, {fresh_x.low, fresh_y.low, fresh_x.high, fresh_y.high}, fresh_depth, true};
+  memory = {light, {fresh_x.low, fresh_y.low, fresh_x.high, fresh_y.high}, fresh_depth, coarseness, true};
   if (!space.spot) return;
   // no wider than the cone is
   const double half = space.half_window;
@@ -227,21 +280,18 @@ View view_of(const LightSpace& space, const FitMemory& memory) {
 TightFit fit_tightly(const LightFrame& light, const FitInput& input, FitMemory& memory) {
   const LightSpace space = light_space(light, input);
   const double far = farthest(input, space.view.world_to_eye);
-  Box receivers = receivers_window(space, input, far);
+  const Box receivers = thickened(receivers_window(space, input, nullptr, far));
   if (receivers.empty()) return {};
-  const Interval x = widened({receivers.min.x, receivers.max.x}, 0);
-  const Interval y = widened({receivers.min.y, receivers.max.y}, 0);
-  const Interval z = widened({receivers.min.z, receivers.max.z}, 0);
-  receivers = {{x.low, y.low, z.low}, {x.high, y.high, z.high}};
   Box needed = casters_window(space, input, receivers, far);
   if (needed.empty()) return {};
   needed.min.z = space.spot ? std::min(needed.min.z, receivers.min.z) : receivers.min.z;
   needed.max.z = receivers.max.z;
-  choose(space, light, needed, memory);
+  const double coarseness =
+      coarseness_of(reach_of(space, input.camera, receivers), space.spot ? receivers.min.z : receivers.max.z - receivers.min.z);
+  choose(space, light, needed, coarseness, memory);
   if (light.rectangle != glm::dvec4(0)) memory.window = light.rectangle;
   if (light.angle_written) memory.window = glm::dvec4(-1, -1, 1, 1) * space.half_window;
-  const View view = checked(view_of(space, memory));
-  return {view, true};
+  return {checked(view_of(space, memory)), true, memory.coarseness};
 }
 
 }  // namespace plugc

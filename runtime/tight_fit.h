@@ -11,13 +11,17 @@ namespace plugc {
 struct FitMemory {
   LightFrame light;
   glm::dvec4 window{0};  ///< Left, bottom, right, top in the light's own space: lengths, or tangents from a spot light.
-  Interval depth;        ///< Along the light's direction.
-  bool any = false;      ///< False: nothing was fitted yet.
+  Interval depth;          ///< Along the light's direction.
+  double coarseness = 1;
+  bool any = false;  ///< False: nothing was fitted yet.
 };
 
 struct TightFit {
   View view;
   bool needed = false;  ///< False: nothing that receives is in view, or nothing casts on it. Then there is no view either.
+  /// Steps of depth that positions far from the eye, floats too, are uncertain by; 1 or more. A constant offset in fewer steps
+  /// would leave surfaces across the light spotted.
+  double coarseness = 1;
 };
 
 /// Fits a map of reversed depths (fit_light says how they run). A written rectangle or angle is kept as it is; written

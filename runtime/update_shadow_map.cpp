@@ -46,11 +46,12 @@ void append_caster(std::vector<float>& numbers, const LoadedScene& scene, const 
   }
 }
 
-std::vector<float> content_numbers(const LoadedScene& scene, const PackedShadowMap& packed, const View& light) {
+std::vector<float> content_numbers(const LoadedScene& scene, const PackedShadowMap& packed, const View& light,
+                                   double coarseness) {
   std::vector<float> numbers;
   append(numbers, light.projection);
   numbers.push_back(static_cast<float>(scene.slots.number(packed.scale(), 0)));
-  numbers.push_back(static_cast<float>(scene.slots.number(packed.bias(), 0)));
+  numbers.push_back(static_cast<float>(scene.slots.number(packed.bias(), 0) * coarseness));
   for (const std::uint32_t shape : caster_order(scene, light)) append_caster(numbers, scene, light, shape);
   return numbers;
 }
@@ -103,7 +104,7 @@ bool update_shadow_map(LoadedScene& scene, std::uint32_t index, const View& came
   if (!follows) map.drawn_revision = scene.slots.revision();  // its one frame is this, also when nothing casts
   if (!map.in_use) return false;
   map.view = shifted(map.fit.view, map);
-  std::vector<float> numbers = content_numbers(scene, packed, map.view);
+  std::vector<float> numbers = content_numbers(scene, packed, map.view, map.fit.coarseness);
   const bool changed = !drawn || !are_equal(numbers, map.drawn_with);
   map.drawn_with = std::move(numbers);
   map.drawn_revision = scene.slots.revision();

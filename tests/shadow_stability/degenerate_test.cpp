@@ -1,0 +1,158 @@
+// Inputs that leave nothing to compute with: the picture is defined, every number in it is finite, OpenGL has no complaint.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "boxes_scene.h"
+#include "stage.h"
+
+namespace plugc {
+namespace {
+
+constexpr std::uint32_t kSide = 32;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void expect_defined(Stage& stage, const std::string& what) {
+  const FloatPicture picture = stage.draw();
+  for (const float value : picture.values) {
+    if (!(value >= 0 && value <= 1)) {
+      ADD_FAILURE() << what << ": a pixel is " << value;
+      return;
+    }
+  }
+  EXPECT_EQ(stage.draw().values, picture.values) << what << ": the next frame is another";
+}
+
+std::string shape(const std::string& geometry) {
+  return "Shape { appearance USE Grey geometry " + geometry + " }\n";
+}
+
+class Degenerate : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(ShadowStability, Degenerate, testing::Values(kSun, kSpot),
+                         [](const auto& one) { return one.index == 0 ? "Sun" : "Spot"; });
+
+TEST_P(Degenerate, Scenes) {
+  const std::string head = "#X3D V4.0 utf8\nPROFILE Full\nNavigationInfo { headlight FALSE }\n" + std::string(GetParam()) +
+                           "\nViewpoint { position 5 5 9 orientation -0.73 0.65 0.2 0.68 }\n"
+                           "DEF Holder Shape { appearance DEF Grey Appearance { material Material { ambientIntensity 0 } } ";
+  const std::string ground =
+      "geometry IndexedFaceSet { coordIndex [0 1 2 3 -1] coord Coordinate { point [-30 0 30, 30 0 30, 30 0 -30, -30 0 -30] } } "
+      "}\n";
+  const auto plane = [](const std::string& points) {
+    return "geometry IndexedFaceSet { solid FALSE coordIndex [0 1 2 3 -1] coord Coordinate { point [" + points + "] } } }\n";
+  };
+  const std::pair<const char*, std::string> scenes[] = {
+      {"no casters", ground},
+      {"no receivers", "geometry IndexedFaceSet { } }\n"},
+      {"one triangle",
+       "geometry IndexedFaceSet { solid FALSE coordIndex [0 1 2 -1] coord Coordinate { point [0 0 0, 2 0 1, 0 2 0] } } }\n"},
+      {"flat on x", plane("0 -2 -2, 0 2 -2, 0 2 2, 0 -2 2")},
+      {"flat on y", plane("-2 0 -2, -2 0 2, 2 0 2, 2 0 -2")},
+      {"flat on z", plane("-2 -2 0, 2 -2 0, 2 2 0, -2 2 0")},
+      {"all in one point", plane("1 1 1, 1 1 1, 1 1 1, 1 1 1")},
+      {"a line", plane("0 0 0, 1 1 1, 2 2 2, 3 3 3")},
+      {"coordinates of 1e30", plane("-1e30 0 -1e30, -1e30 0 1e30, 1e30 0 1e30, 1e30 0 -1e30") + shape("Box { }")},
+      {"coordinates of 1e-30", plane("-1e-30 0 -1e-30, -1e-30 0 1e-30, 1e-30 0 1e-30, 1e-30 0 -1e-30") + shape("Box { }")},
+      {"a light inside a mesh",
+       ground + "Transform { translation 4 9 6 children Shape { appearance USE Grey geometry Sphere { radius 2 } } }\n"},
+      {"zero scale", ground + "Transform { scale 0 0 0 children " + shape("Box { }") + "}\n"},
+      {"flattened", ground + "Transform { translation 0 2 0 scale 1 0 1 children " + shape("Box { }") + "}\n"},
+      {"mirrored", ground + "Transform { translation 0 2 0 scale -1 1 1 children " + shape("Box { }") + "}\n"},
+      {"scaled by 1e30", ground + "Transform { scale 1e30 1e30 1e30 children " + shape("Box { }") + "}\n"},
+  };
+  for (const auto& [what, text] : scenes) {
+    Stage stage(head + text, {}, kSide, true);
+    expect_defined(stage, what);
+  }
+}
+
+TEST_P(Degenerate, Numbers) {
+  const bool sun = GetParam() == kSun;
+  std::vector<std::string> fields = {"Lamp.direction",    "Lamp.projectionNear", "Lamp.projectionFar", "Lamp.up",
+                                     "Whole.scale",       "Whole.rotation",      "Whole.translation",  "Tower.scale",
+                                     "Tower.translation", "Ground.scale",        "Map.scale",          "Map.bias",
+                                     "Near.position"};
+  for (const char* const field : {"Lamp.projectionRectangle", "Lamp.projectionLocation"}) {
+    if (sun) fields.emplace_back(field);
+  }
+  for (const char* const field : {"Lamp.location", "Lamp.cutOffAngle", "Lamp.projectionAngle", "Lamp.radius"}) {
+    if (!sun) fields.emplace_back(field);
+  }
+  Stage stage(boxes_scene(GetParam()), fields, kSide, true);
+  const double odd[] = {0, -1, 1e-7, 1e-38, 1e30, -1e30, 1e300, kInfinity, -kInfinity, kNan};
+  for (const std::string& field : fields) {
+    std::vector<double> before;
+    for (const PackedSlotName* slot : *stage.scene().slot_names()) {
+      if (slot->name()->string_view() == field) {
+        const auto values = stage.slots().values(slot->slot());
+        before.assign(values.begin(), values.end());
+      }
+    }
+    for (const double value : odd) {
+      for (std::size_t i = 0; i <= before.size(); ++i) {  // each component, then all of them
+        std::vector<double> changed = before;
+        if (i < before.size()) changed[i] = value;
+        if (i == before.size()) changed.assign(before.size(), value);
+        stage.set(field, changed);
+        expect_defined(stage, field + " component " + std::to_string(i) + " is " + std::to_string(value));
+      }
+    }
+    stage.set(field, before);
+  }
+}
+
+TEST_P(Degenerate, UpParallelToTheDirection) {
+  Stage stage(boxes_scene(GetParam()), {"Lamp.direction", "Lamp.up"});
+  for (const glm::dvec3& direction : {glm::dvec3(0, -1, 0), glm::dvec3(-0.55, -1, -0.4)}) {
+    stage.set("Lamp.direction", {direction.x, direction.y, direction.z});
+    for (const double aside : {0.0, 1e-7, -1e-7, 1e-3}) {
+      for (const double sign : {1.0, -1.0}) {
+        stage.set("Lamp.up", {sign * direction.x + aside, sign * direction.y, sign * direction.z + aside});
+        EXPECT_LE(stage.judge().error(), 0.5) << aside;
+      }
+    }
+  }
+}
+
+TEST_P(Degenerate, FarBeforeNearIsComputedInstead) {
+  Stage plain(boxes_scene(GetParam()), {}, kSide, true);
+  Stage odd(boxes_scene(GetParam()), {"Lamp.projectionNear", "Lamp.projectionFar"}, kSide, true);
+  odd.set("Lamp.projectionNear", {9});
+  for (const double far : {1.0, 9.0}) {
+    odd.set("Lamp.projectionFar", {far});
+    EXPECT_EQ(odd.draw().values, plain.draw().values);
+  }
+}
+
+TEST_P(Degenerate, MapSizes) {
+  for (const char* const size : {"1", "17", "31", "32", "33", "100"}) {
+    std::string light = GetParam();
+    light.replace(light.find("size "), light.find('}') - light.find("size "), std::string("size ") + size + " ");
+    Stage stage(boxes_scene(light), {}, kSide, true);
+    expect_defined(stage, size);
+  }
+}
+
+TEST_P(Degenerate, EffectsThatMakeNoNumbers) {
+  // written as fields would be: the compiler must not know that it is zero
+  const std::string effect =
+      "DEF Odd Effect { language \"GLSL\" inputOutput SFFloat zero 0 parts EffectPart { type \"VERTEX\" url "
+      "\"data:text/plain,\n"
+      "uniform float zero;\n"
+      "void PLUG_vertex_object_space_change(inout vec4 vertex_object, inout vec3 normal_object)\n"
+      "{ if (vertex_object.x > 0.5) vertex_object.y += zero / zero; }\" } }";
+  const std::string sphere =
+      "Transform { translation 0 2 0 children Shape { geometry Sphere {} appearance Appearance { material Material { "
+      "ambientIntensity 0 } effects " +
+      effect + " } } }\n";
+  Stage stage(boxes_scene(GetParam(), sphere), {"Odd.zero"}, kSide, true);
+  expect_defined(stage, "zero over zero");
+  stage.set("Odd.zero", {1e-30});
+  expect_defined(stage, "a number again");
+}
+
+}  // namespace
+}  // namespace plugc
