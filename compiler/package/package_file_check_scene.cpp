@@ -1,0 +1,100 @@
+// A scene's own lists: slots, transforms, lights, shadow maps, viewpoints.
+
+#include "base/limits.h"
+#include "package/package_file_check.h"
+
+namespace plugc {
+namespace {
+
+bool check_slot(SceneCheck& scene, const PackedSlot& slot, const Place& place) {
+  if (!is_enumerator(slot.type())) return scene.check.fail(place, "its type is unknown");
+  const std::uint64_t end = slot.first() + std::uint64_t{slot.count()} * component_count(slot.type());
+  const std::size_t available = scene.scene.slot_values()->size();
+  return end <= available || scene.check.fail(place, fmt::format("it ends at value {} of {}", end, available));
+}
+
+bool check_slots(SceneCheck& scene, const Place& place) {
+  PackageCheck& check = scene.check;
+  const auto& values = *scene.scene.slot_values();
+  if (values.size() != 0 && !is_aligned(values.data(), alignof(double)))
+    return check.fail(place, "its slot values are not aligned");
+  return check.each(&place, "slot", *scene.scene.slots(), [&](const PackedSlot* slot, const Place& at) {
+    return check_slot(scene, *slot, at);
+  }) && check.each(&place, "slot name", *scene.scene.slot_names(), [&](const PackedSlotName* name, const Place& at) {
+    return scene.present_slot(at, "it", name->slot(), 0);
+  });
+}
+
+bool check_transform(SceneCheck& scene, const PackedTransform& transform, const Place& place) {
+  if (!is_index_or_none(transform.parent(), place.index)) {
+    return scene.check.fail(place, fmt::format("its parent {} does not come before it", transform.parent()));
+  }
+  return scene.slot(place, "translation", transform.translation(), 3) &&
+         scene.slot(place, "rotation", transform.rotation(), 4) && scene.slot(place, "scale", transform.scale(), 3) &&
+         scene.slot(place, "scale orientation", transform.scale_orientation(), 4) &&
+         scene.slot(place, "center", transform.center(), 3) && scene.slot(place, "switch", transform.switch_slot(), 1);
+}
+
+bool check_light(SceneCheck& scene, const PackedLight& light, const Place& place) {
+  if (!is_enumerator(light.kind())) return scene.check.fail(place, "its kind is unknown");
+  return scene.transform(place, light.transform()) && scene.slot(place, "on", light.on(), 1) &&
+         scene.slot(place, "color", light.color(), 3) && scene.slot(place, "intensity", light.intensity(), 1) &&
+         scene.slot(place, "ambient intensity", light.ambient_intensity(), 1) &&
+         scene.slot(place, "location", light.location(), 3) && scene.slot(place, "direction", light.direction(), 3) &&
+         scene.slot(place, "attenuation", light.attenuation(), 3) && scene.slot(place, "radius", light.radius(), 1) &&
+         scene.slot(place, "cut off angle", light.cut_off_angle(), 1) && scene.slot(place, "beam width", light.beam_width(), 1);
+}
+
+bool check_shadow_map(SceneCheck& scene, const PackedShadowMap& map, const Place& place) {
+  PackageCheck& check = scene.check;
+  if (map.size() < 1 || map.size() > kMaxShadowMapSide)
+    return check.fail(place, fmt::format("its size {} is out of range", map.size()));
+  if (!is_enumerator(map.update())) return check.fail(place, "its update mode is unknown");
+  return check.require_index(place, "light", map.light(), scene.scene.lights()->size()) &&
+         scene.slot(place, "scale", map.scale(), 1) && scene.slot(place, "bias", map.bias(), 1) &&
+         scene.slot(place, "near", map.near(), 1) && scene.slot(place, "far", map.far(), 1) &&
+         scene.slot(place, "up", map.up(), 3) && scene.slot(place, "angle", map.angle(), 1) &&
+         scene.slot(place, "rectangle", map.rectangle(), 4) && scene.slot(place, "location", map.location(), 3);
+}
+
+bool check_texture_transform(SceneCheck& scene, const PackedTextureTransform& transform, const Place& place) {
+  return scene.slot(place, "translation", transform.translation(), 2) &&
+         scene.slot(place, "rotation", transform.rotation(), 1) && scene.slot(place, "scale", transform.scale(), 2) &&
+         scene.slot(place, "center", transform.center(), 2);
+}
+
+bool check_viewpoint(SceneCheck& scene, const PackedViewpoint& viewpoint, const Place& place) {
+  return scene.transform(place, viewpoint.transform()) && scene.slot(place, "position", viewpoint.position(), 3) &&
+         scene.slot(place, "orientation", viewpoint.orientation(), 4) &&
+         scene.slot(place, "field of view", viewpoint.field_of_view(), viewpoint.orthographic() ? 4 : 1);
+}
+
+}  // namespace
+
+bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& place) {
+  SceneCheck scene{check, packed};
+  // Slots first: whatever names one asks how many numbers it has.
+  return check_slots(scene, place) &&
+         check.each(
+             &place, "transform", *packed.transforms(),
+             [&](const PackedTransform* transform, const Place& at) { return check_transform(scene, *transform, at); }) &&
+         check.each(&place, "light", *packed.lights(),
+                    [&](const PackedLight* light, const Place& at) { return check_light(scene, *light, at); }) &&
+         check.each(&place, "shadow map", *packed.shadow_maps(),
+                    [&](const PackedShadowMap* map, const Place& at) { return check_shadow_map(scene, *map, at); }) &&
+         check.each(&place, "texture transform", *packed.texture_transforms(),
+                    [&](const PackedTextureTransform* transform, const Place& at) {
+                      return check_texture_transform(scene, *transform, at);
+                    }) &&
+         check.each(&place, "shape", *packed.shapes(),
+                    [&](const PackedShape* shape, const Place& at) { return check_shape(scene, *shape, at); }) &&
+         check.each(
+             &place, "viewpoint", *packed.viewpoints(),
+             [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
+         check.each(
+             &place, "projector", *packed.projectors(),
+             [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
+         scene.slot(place, "background color", packed.background_color(), 3);
+}
+
+}  // namespace plugc

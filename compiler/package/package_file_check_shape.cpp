@@ -1,0 +1,130 @@
+// Shapes: what feeds the uniforms of their programs, and the programs of their states.
+
+#include "package/package_file_check.h"
+
+namespace plugc {
+namespace {
+
+/// Whether what a binding reads exists.
+bool check_operands(SceneCheck& scene, const PackedBinding& binding, const PackedUniform& uniform, const Place& place) {
+  PackageCheck& check = scene.check;
+  switch (binding.source()) {
+    case PackedSource::slot:
+    case PackedSource::slot_scaled: return scene.present_slot(place, "a", binding.a(), component_count(uniform.type()));
+    case PackedSource::slot_product:
+      return scene.present_slot(place, "a", binding.a(), component_count(uniform.type())) &&
+             scene.slot(place, "b", binding.b(), 1);
+    case PackedSource::color_and_transparency:
+    case PackedSource::color_and_alpha: return scene.slot(place, "a", binding.a(), 3) && scene.slot(place, "b", binding.b(), 1);
+    case PackedSource::shadow_intensity: return scene.slot(place, "a", binding.a(), 1);
+    case PackedSource::texture:
+      return check.require_index(place, "texture", binding.a(), check.package.textures()->size()) &&
+             check.require_index(place, "element", binding.b(), uniform.count());
+    case PackedSource::fog_visibility_range:
+      return scene.present_slot(place, "a", binding.a(), 1) &&
+             check.require_index(place, "transform", binding.b(), scene.scene.transforms()->size() + 1);
+    case PackedSource::texture_matrix:
+      return check.require_index(place, "texture transform", binding.a(), scene.scene.texture_transforms()->size());
+    case PackedSource::viewpoint_projector_matrix:
+      return check.require_index(place, "projector", binding.a(), scene.scene.projectors()->size());
+    case PackedSource::shadow_map:
+      return check.require_index(place, "shadow map", binding.a(), scene.scene.shadow_maps()->size()) &&
+             check.require_index(place, "element", binding.b(), uniform.count());
+    case PackedSource::projector_matrix:
+    case PackedSource::light_view_projection_matrix:
+      return check.require_index(place, "shadow map", binding.a(), scene.scene.shadow_maps()->size());
+    case PackedSource::light_position:
+    case PackedSource::light_spot_direction:
+    case PackedSource::light_spot_cos_cutoff:
+    case PackedSource::light_spot_cutoff:
+    case PackedSource::light_beam_width:
+    case PackedSource::light_radius:
+    case PackedSource::light_color:
+    case PackedSource::light_ambient_color:
+    case PackedSource::light_attenuation:
+    case PackedSource::light_on: return check.require_index(place, "light", binding.a(), scene.scene.lights()->size());
+    case PackedSource::model_view_matrix:
+    case PackedSource::projection_matrix:
+    case PackedSource::model_view_projection_matrix:
+    case PackedSource::normal_matrix:
+    case PackedSource::camera_matrix:
+    case PackedSource::camera_inverse_matrix:
+    case PackedSource::camera_rotation_matrix:
+    case PackedSource::camera_rotation_inverse_matrix: return true;
+  }
+  return check.fail(place, "its source is unknown");
+}
+
+bool check_binding(SceneCheck& scene, const PackedBinding& binding, const PackedProgram& program, const Place& place) {
+  if (!scene.check.require_index(place, "uniform", binding.uniform(), program.uniforms()->size())) return false;
+  const PackedUniform& uniform = *program.uniforms()->Get(binding.uniform());
+  const bool feeds_sampler = binding.source() == PackedSource::texture || binding.source() == PackedSource::shadow_map;
+  if (feeds_sampler != (component_count(uniform.type()) == 0)) {
+    return scene.check.fail(place, fmt::format("its source does not fit the uniform `{}`", uniform.name()->string_view()));
+  }
+  return check_operands(scene, binding, uniform, place);
+}
+
+bool check_bindings(SceneCheck& scene, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
+                    std::int32_t program, const Place& place) {
+  const auto& programs = *scene.check.package.programs();
+  return scene.check.each(&place, word, bindings, [&](const PackedBinding* binding, const Place& at) {
+    if (program < 0) return scene.check.fail(at, "the shape has no depth program");
+    return check_binding(scene, *binding, *programs.Get(static_cast<std::uint32_t>(program)), at);
+  });
+}
+
+bool check_programs(SceneCheck& scene, const ShapePrograms& use, const Place& place) {
+  PackageCheck& check = scene.check;
+  const std::size_t count = check.package.programs()->size();
+  if (!check.require_index(place, "program", use.program, count) ||
+      !check_bindings(scene, "binding", *use.bindings, static_cast<std::int32_t>(use.program), place)) {
+    return false;
+  }
+  if (!is_index_or_none(use.depth_program, count))
+    return check.fail(place, fmt::format("depth program {} does not exist", use.depth_program));
+  return check_bindings(scene, "depth binding", *use.depth_bindings, use.depth_program, place);
+}
+
+bool check_switch(SceneCheck& scene, const PackedSwitch& one, const Place& place) {
+  if (!is_enumerator(one.kind())) return scene.check.fail(place, "its kind is unknown");
+  return one.kind() == PackedSwitchKind::slot
+             ? scene.present_slot(place, "it", one.index(), 1)
+             : scene.check.require_index(place, "light", one.index(), scene.scene.lights()->size());
+}
+
+/// Every combination of the switches must lead to programs.
+bool check_states(SceneCheck& scene, const PackedShape& shape, const Place& place) {
+  constexpr std::uint32_t kMaxSwitches = 8;
+  PackageCheck& check = scene.check;
+  const std::uint32_t switches = shape.switches()->size();
+  if (switches > kMaxSwitches) return check.fail(place, fmt::format("it has {} switches", switches));
+  const std::uint32_t needed = switches == 0 ? 0 : 1U << switches;
+  if (shape.states()->size() != needed)
+    return check.fail(place, fmt::format("it has {} states, not {}", shape.states()->size(), needed));
+  const std::uint32_t variants = shape.variants()->size();
+  return check.each(&place, "switch", *shape.switches(), [&](const PackedSwitch* one, const Place& at) {
+    return check_switch(scene, *one, at);
+  }) && check.each(&place, "variant", *shape.variants(), [&](const PackedVariant*, const Place& at) {
+    return check_programs(scene, shape_programs(shape, static_cast<std::uint8_t>(at.index + 1)), at);
+  }) && check.each(&place, "state", *shape.states(), [&](std::uint8_t variant, const Place& at) {
+    return variant <= variants || check.fail(at, fmt::format("variant {} does not exist, there are {}", variant, variants));
+  });
+}
+
+}  // namespace
+
+bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place) {
+  PackageCheck& check = scene.check;
+  if (!is_enumerator(shape.blend_source()) || !is_enumerator(shape.blend_destination())) {
+    return check.fail(place, "its blend factor is unknown");
+  }
+  return scene.transform(place, shape.transform()) &&
+         check.require_index(place, "mesh", shape.mesh(), check.package.meshes()->size()) &&
+         check_programs(scene, shape_programs(shape, 0), place) && check_states(scene, shape, place) &&
+         check.each(&place, "receives", *shape.receives(), [&](std::uint32_t map, const Place& at) {
+           return check.require_index(at, "shadow map", map, scene.scene.shadow_maps()->size());
+         });
+}
+
+}  // namespace plugc
