@@ -21,12 +21,12 @@ struct DeclaredUniform {
 
 using Uniforms = std::map<std::string_view, DeclaredUniform>;
 
-void collect(const CodeUnit* unit, Uniforms& uniforms) {
+void collect(const SceneEffect& effect, const CodeUnit* unit, Uniforms& uniforms) {
   if (unit == nullptr) return;
   for (const GlobalOutline& global : unit->outline.globals) {
     if (global.storage != Storage::uniform || global.name.starts_with("castle_")) continue;
     const Span span = unit->span(global.name_begin, global.name_begin + static_cast<std::uint32_t>(global.name.size()));
-    uniforms.try_emplace(unit->written_name(global.name),
+    uniforms.try_emplace(field_name(effect, *unit, global),
                          DeclaredUniform{global.type, span, global.initializer_end > global.initializer_begin});
   }
 }
@@ -104,11 +104,17 @@ bool feeds(const Scene& scene, const ShaderField& field, std::string_view glsl_t
   return is_sampler(glsl_type) && misfit_texture(scene, field, glsl_type) < 0;
 }
 
+std::string_view field_name(const SceneEffect& effect, const CodeUnit& code, const GlobalOutline& uniform) {
+  const std::string_view declared = code.written_name(code.declared_name(uniform));
+  const std::string_view written = code.written_name(uniform.name);
+  return find_field(effect, declared) == nullptr && find_field(effect, written) != nullptr ? written : declared;
+}
+
 void check_fields(const Scene& scene, const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics) {
   Uniforms uniforms;
   const auto collect_part = [&](const EffectCode::Part& part) {
     for (const auto& unit : {part.in_vertex, part.in_fragment, part.in_geometry, part.behind_geometry})
-      collect(unit.get(), uniforms);
+      collect(effect, unit.get(), uniforms);
   };
   for (const EffectCode::Part& part : code.parts) {
     collect_part(part);

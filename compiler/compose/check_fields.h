@@ -18,4 +18,8 @@ bool feeds(const Scene& scene, const ShaderField& field, std::string_view glsl_t
 /// ComposedShader.
 void check_fields(const Scene& scene, const SceneEffect& effect, const EffectCode& code, Diagnostics& diagnostics);
 
+/// The name of the field that would feed an author's uniform: its own, or, where a macro stands for it and no field bears that
+/// word, the macro's.
+std::string_view field_name(const SceneEffect& effect, const CodeUnit& code, const GlobalOutline& uniform);
+
 }  // namespace plugc

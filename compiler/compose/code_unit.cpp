@@ -72,6 +72,8 @@ EffectCode::Part make_part(const ShaderSource& source, Target target) {
 std::unordered_map<std::string_view, std::string_view> find_macro_words(const CodeUnit& unit) {
   std::unordered_map<std::string_view, std::string_view> words;
   for (const MacroOutline& macro : unit.outline.macros) {
+    const std::size_t name_end = macro.name_begin + macro.name.size();
+    if (unit.text.text().substr(name_end, 1) == "(") continue;  // it has parameters
     const std::vector<Token> body = scan_range(unit.text.text(), macro.body_begin, macro.end);
     if (body.size() == 1 && body.front().kind == TokenKind::identifier) words.try_emplace(macro.name, unit.at(body.front()));
   }
@@ -119,6 +121,20 @@ std::string_view CodeUnit::written_name(std::string_view name) const {
 std::string_view CodeUnit::macro_word(std::string_view name) const {
   const auto found = macro_words.find(name);
   return found == macro_words.end() ? name : found->second;
+}
+
+std::string_view CodeUnit::declared_name(const GlobalOutline& global) const {
+  if (!macro_words.contains(global.name)) return global.name;
+  const auto in_front = [&](const auto& range) { return range.end <= global.name_begin; };
+  const auto& macros = outline.macros;
+  const auto macro = std::find_if(macros.rbegin(), macros.rend(),
+                                  [&](const MacroOutline& each) { return each.name == global.name && in_front(each); });
+  if (macro == macros.rend()) return global.name;
+  const bool ended = std::ranges::any_of(outline.undefs, [&](const TextRange& undef) {
+    return in_front(undef) && undef.begin > macro->begin &&
+           text.text().substr(undef.begin, undef.end - undef.begin).ends_with(global.name);
+  });
+  return ended ? global.name : macro_word(global.name);
 }
 
 void note_plugs(CodeUnit& unit) {

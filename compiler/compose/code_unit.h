@@ -44,6 +44,8 @@ struct CodeUnit {
   std::string_view written_name(std::string_view name) const;
   /// What a name stands for: the word that a macro of that name is, else the name itself.
   std::string_view macro_word(std::string_view name) const;
+  /// The name that a declaration gives: behind `#define scale factor`, `uniform float scale;` declares `factor`.
+  std::string_view declared_name(const GlobalOutline& global) const;
 };
 
 /// Whether `lowp`, `mediump` or `highp` stands in the text.

@@ -9,6 +9,7 @@
 
 #include "compose/castle_names.h"
 #include "compose/geometry_stage.h"
+#include "compose/output_locations.h"
 #include "compose/placed_unit.h"
 #include "compose/precision.h"
 #include "compose/sampler_type.h"
@@ -112,6 +113,7 @@ void compose_stages(Composition& composition) {
   name_owners(composition);
   note_passed_varyings(composition);
   note_precisions(composition);
+  note_output_locations(composition);
   // from here no two owners' names meet
   bind_names(composition);
   // from here what an owner only declares has its definition's name, and uniforms know their fields

@@ -7,6 +7,7 @@
 
 #include "compose/bind_names.h"
 #include "compose/castle_names.h"
+#include "compose/check_fields.h"
 #include "compose/uniform_defaults.h"
 
 namespace plugc {
@@ -49,16 +50,17 @@ std::vector<double> FieldLister::initial_of(const PlacedUnit& unit, const Global
 FieldUniform FieldLister::field_uniform(const PlacedUnit& unit, const GlobalOutline& uniform) {
   const Owner& owner = c_.owners[unit.owner];
   FieldUniform found;
-  found.name = c_.final_name(unit, uniform.name);
+  found.name = c_.final_name(unit, unit.code->declared_name(uniform));
   found.type = uniform.type;
   found.owner = owner.index;
   found.of_shader = owner.kind == OwnerKind::shader;
-  const std::string_view written = unit.code->written_name(uniform.name);
-  found.field = find_field(c_.author(owner), written);
+  const SceneEffect& author = c_.author(owner);
+  found.field = find_field(author, field_name(author, *unit.code, uniform));
   found.span = name_span(*unit.code, uniform.name, uniform.name_begin);
   found.initial = initial_of(unit, uniform);
   if (found.field >= 0 || c_.recipe.shader < 0) return found;
-  const int shader_field = find_field(c_.input.scene.shaders[static_cast<std::size_t>(c_.recipe.shader)], written);
+  const SceneShader& shader = c_.input.scene.shaders[static_cast<std::size_t>(c_.recipe.shader)];
+  const int shader_field = find_field(shader, field_name(shader, *unit.code, uniform));
   if (shader_field >= 0) {
     found.owner = c_.recipe.shader;
     found.of_shader = true;
@@ -69,9 +71,10 @@ FieldUniform FieldLister::field_uniform(const PlacedUnit& unit, const GlobalOutl
 
 void FieldLister::list(const PlacedUnit& unit) {
   for (const GlobalOutline& global : unit.code->outline.globals) {
-    const bool by_renderer = find_castle_name(global.name) || !number_own_light(global.name, 0).empty();
-    if (global.storage != Storage::uniform || by_renderer) continue;
-    if (listed_.insert(c_.final_name(unit, global.name)).second) c_.result.fields.push_back(field_uniform(unit, global));
+    if (global.storage != Storage::uniform) continue;
+    const std::string_view name = unit.code->declared_name(global);
+    if (find_castle_name(name) || !number_own_light(name, 0).empty()) continue;
+    if (listed_.insert(c_.final_name(unit, name)).second) c_.result.fields.push_back(field_uniform(unit, global));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "compose/placed_unit.h"
 #include "compose/struct_text.h"
+#include "glsl/dialect_words.h"
 #include "glsl/scan.h"
 #include "glsl/tokens.h"
 
@@ -39,6 +40,7 @@ class OwnerNamer {
 
  private:
   void take_attributes();
+  void take_builtins();
   std::vector<DeclaredName> declared_names(std::size_t owner) const;
   void name_owner(std::size_t owner);
   void name_struct(const DeclaredName& declared, std::size_t owner);
@@ -70,9 +72,10 @@ std::vector<DeclaredName> OwnerNamer::declared_names(std::size_t owner) const {
       if (own) names.push_back({function.name, here, nullptr, nullptr});
     }
     for (const GlobalOutline& global : outline.globals) {
-      if (is_castle(global.name) || is_attribute(*unit, global)) continue;
+      const std::string_view name = unit->code->declared_name(global);
+      if (is_castle(name) || is_attribute(*unit, global)) continue;
       const bool shared = global.storage == Storage::uniform || global.storage == Storage::in || global.storage == Storage::out;
-      names.push_back({global.name, shared ? kAllStages : here, nullptr, nullptr});
+      names.push_back({name, shared ? kAllStages : here, nullptr, nullptr});
     }
     for (const StructOutline& type : outline.structs) {
       if (!type.name.empty()) names.push_back({type.name, here, unit->code.get(), &type});
@@ -123,9 +126,21 @@ void OwnerNamer::name_owner(std::size_t owner) {
   }
 }
 
+/// ESSL 3.00 (6.1) lets nobody define or overload what is built in: an author's function of such a name gets another.
+void OwnerNamer::take_builtins() {
+  if (c_.target != Target::essl300) return;
+  constexpr std::size_t kBuiltin = SIZE_MAX - 1;  // no owner has this number
+  for (const PlacedUnit& unit : c_.units) {
+    for (const FunctionOutline& function : unit.code->outline.functions) {
+      if (is_builtin_function(function.name)) c_.taken.take(function.name, kAllStages, kBuiltin);
+    }
+  }
+}
+
 void OwnerNamer::run() {
   for (const SwitchUniform& one : c_.result.switches) c_.taken.take(one.name, kAllStages, 0);
   take_attributes();
+  take_builtins();
   for (std::size_t owner = 0; owner < c_.owners.size(); ++owner) name_owner(owner);
 }
 

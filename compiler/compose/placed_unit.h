@@ -113,7 +113,8 @@ struct Composition {
   TakenNames taken;
   bool has_geometry = false;  ///< The program has a geometry stage.
   GeometryStage geometry;
-  std::map<std::string_view, std::string_view> precisions;  ///< Of uniforms that are declared with several.
+  std::map<std::string_view, std::string_view> precisions;     ///< Of uniforms that are declared with several.
+  std::map<std::string_view, std::uint32_t> output_locations;  ///< Of the fragment stage, by final name, where it has several.
   Owner::Renames passed;  ///< Final names of varyings in front of the geometry stage and behind it.
 
   const SceneEffect& author(const Owner& owner) const {

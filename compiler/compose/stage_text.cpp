@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "compose/castle_names.h"
+#include "compose/output_locations.h"
 #include "compose/unit_writer.h"
 #include "compose/varying_passthrough.h"
 
@@ -137,7 +138,8 @@ void HeadWriter::write_declaration(std::string_view name) {
   const Storage storage = meaning->kind == CastleKind::uniform ? Storage::uniform : is_out ? Storage::out : Storage::in;
   const std::string_view word = storage == Storage::uniform ? "uniform" : is_out ? "out" : "in";
   const std::string_view type = c_.type_of(*meaning);
-  std::string text(word);
+  std::string text = fragment && is_out ? location_text(c_, name) : "";
+  text.append(word);
   text.append(1, ' ').append(type).append(1, ' ').append(name);
   if (is_array) text += fmt::format("[{}]", c_.geometry.input_size);
   head_.append_generated(text += ";\n");

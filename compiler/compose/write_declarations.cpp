@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "compose/geometry_layout.h"
+#include "compose/output_locations.h"
 #include "compose/precision.h"
 #include "compose/struct_text.h"
 #include "compose/unit_draft.h"
@@ -42,6 +43,7 @@ class DeclarationWriter {
   bool loses_initializer(const GlobalOutline& global) const;
   void remove_initializer(const GlobalOutline& global);
   void write_precision(const GlobalOutline& global);
+  void write_locations(Declarators declarators);
 
   UnitDraft& draft_;
   Declared& declared_;
@@ -76,7 +78,7 @@ bool DeclarationWriter::is_repeated(const GlobalOutline& global) {
   const bool sized_by_layout = draft_.unit.stage == ShaderStage::geometry && global.storage == Storage::in;
   const Declared::Global now = {global.storage, global.type, sized_by_layout ? std::string_view() : global.array, &draft_.unit,
                                 &global};
-  const auto [found, added] = declared_.globals.try_emplace(draft_.final_name(global.name), now);
+  const auto [found, added] = declared_.globals.try_emplace(draft_.final_name(draft_.code.declared_name(global)), now);
   if (added) return false;
   const Declared::Global& before = found->second;
   if (is_equal(now, before)) return true;
@@ -141,6 +143,21 @@ void DeclarationWriter::write_precision(const GlobalOutline& global) {
     draft_.edits.replace(word->begin, word->end, std::string(wanted->second));
 }
 
+/// Several outputs that are declared together get a declaration each, as each has a place of its own.
+void DeclarationWriter::write_locations(Declarators declarators) {
+  const GlobalOutline& first = declarators.front();
+  const Composition& c = draft_.composition;
+  const bool is_output = draft_.unit.stage == ShaderStage::fragment && first.storage == Storage::out;
+  if (c.output_locations.empty() || !is_output || draft_.edits.is_removed(first.begin)) return;
+  const auto location = [&](const GlobalOutline& global) { return location_text(c, draft_.final_name(global.name)); };
+  if (declarators.size() == 1) return draft_.edits.insert(first.begin, location(first));
+  const std::string qualified = renamed(draft_, draft_.text.substr(first.begin, first.declarator_begin - first.begin));
+  std::string code;
+  for (const GlobalOutline& each : declarators)
+    code += (code.empty() ? "" : " ") + location(each) + qualified + declarator_text(each) + ";";
+  draft_.edits.replace(first.begin, first.end, std::move(code));
+}
+
 /// The variables of one declaration.
 void DeclarationWriter::write_globals(Declarators declarators) {
   const GlobalOutline& first = declarators.front();
@@ -158,6 +175,7 @@ void DeclarationWriter::write_globals(Declarators declarators) {
   }
   for (const GlobalOutline& each : declarators) remove_initializer(each);
   write_precision(first);
+  write_locations(declarators);
 }
 
 /// A repeated `struct S {...};` goes; of a repeated `struct S {...} a;` the variable's type stays.

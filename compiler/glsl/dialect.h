@@ -38,8 +38,8 @@ struct UpgradedText {
 ///   `varying vec4 gl_TexCoord[4];` goes
 /// - where a part has both an old texture call and a variable named `texture`, or a global of that name, the variable
 ///   becomes `texture_`
-/// - a name that has become a keyword since, and a global or function named like a newer built-in function, gets a
-///   trailing `_`, unless the text's own `#version` is 130 or more and says that such words are meant
+/// - a name that has become a keyword since, or is one in some target, and a global or function named like a newer built-in
+///   function, gets a trailing `_`, unless the text's own `#version` says that such words are meant (130 for most)
 /// - a `\` at a line's end, which GLSL 3.30 lacks, goes together with the line end
 /// A function or macro of the author's that is named like an old built-in function stays.
 /// `#version`, `#extension` and `precision` stay where they are; the outline finds them and the composer hoists them.

@@ -45,18 +45,37 @@ static_assert(std::ranges::is_sorted(kCastleNames, {}, &CastleName::gl_word));
 struct WordKind {
   std::string_view word;
   NewWord kind;
+  int version = 130;
 };
 using enum NewWord;
 constexpr std::array kNewWords = {
-    WordKind{"active", reserved},    WordKind{"case", keyword},        WordKind{"centroid", qualifier},
-    WordKind{"coherent", reserved},  WordKind{"common", reserved},     WordKind{"filter", reserved},
-    WordKind{"flat", qualifier},     WordKind{"highp", qualifier},     WordKind{"layout", qualifier},
-    WordKind{"lowp", qualifier},     WordKind{"mediump", qualifier},   WordKind{"noperspective", qualifier},
-    WordKind{"partition", reserved}, WordKind{"patch", qualifier},     WordKind{"readonly", reserved},
-    WordKind{"resource", reserved},  WordKind{"restrict", reserved},   WordKind{"sample", qualifier},
-    WordKind{"smooth", qualifier},   WordKind{"subroutine", reserved}, WordKind{"uint", keyword},
-    WordKind{"uvec2", keyword},      WordKind{"uvec3", keyword},       WordKind{"uvec4", keyword},
-    WordKind{"writeonly", reserved},
+    WordKind{"active", reserved},
+    WordKind{"atomic_uint", keyword, 420},
+    WordKind{"case", keyword},
+    WordKind{"centroid", qualifier},
+    WordKind{"coherent", reserved, 420},
+    WordKind{"common", reserved},
+    WordKind{"filter", reserved},
+    WordKind{"flat", qualifier},
+    WordKind{"highp", qualifier},
+    WordKind{"layout", qualifier},
+    WordKind{"lowp", qualifier},
+    WordKind{"mediump", qualifier},
+    WordKind{"noperspective", qualifier},
+    WordKind{"partition", reserved},
+    WordKind{"patch", qualifier, 400},
+    WordKind{"readonly", reserved, 420},
+    WordKind{"resource", reserved, 420},
+    WordKind{"restrict", reserved, 420},
+    WordKind{"sample", qualifier, 400},
+    WordKind{"shared", keyword, 430},
+    WordKind{"smooth", qualifier},
+    WordKind{"subroutine", reserved, 400},
+    WordKind{"uint", keyword},
+    WordKind{"uvec2", keyword},
+    WordKind{"uvec3", keyword},
+    WordKind{"uvec4", keyword},
+    WordKind{"writeonly", reserved, 420},
 };
 static_assert(std::ranges::is_sorted(kNewWords, {}, &WordKind::word));
 
@@ -66,6 +85,14 @@ constexpr std::array<std::uint32_t, 256> kNewWordLengths = [] {
   for (const WordKind& each : kNewWords) lengths[static_cast<unsigned char>(each.word[0])] |= 1U << each.word.size();
   return lengths;
 }();
+
+const WordKind* find_new_word(std::string_view word) {
+  constexpr std::size_t kLongest = 31;
+  if (word.empty() || word.size() > kLongest) return nullptr;
+  if ((kNewWordLengths[static_cast<unsigned char>(word[0])] >> word.size() & 1U) == 0) return nullptr;
+  const auto found = std::ranges::lower_bound(kNewWords, word, {}, &WordKind::word);
+  return found != kNewWords.end() && found->word == word ? &*found : nullptr;
+}
 
 constexpr std::array<std::string_view, 31> kNewBuiltins = {
     "acosh",
@@ -102,6 +129,69 @@ constexpr std::array<std::string_view, 31> kNewBuiltins = {
 };
 static_assert(std::ranges::is_sorted(kNewBuiltins));
 
+// Of ESSL 3.00, clause 8, beside those of kNewBuiltins.
+constexpr std::array<std::string_view, 58> kOldBuiltins = {
+    "abs",
+    "acos",
+    "all",
+    "any",
+    "asin",
+    "atan",
+    "ceil",
+    "clamp",
+    "cos",
+    "cross",
+    "dFdx",
+    "dFdy",
+    "degrees",
+    "distance",
+    "dot",
+    "equal",
+    "exp",
+    "exp2",
+    "faceforward",
+    "floor",
+    "fract",
+    "fwidth",
+    "greaterThan",
+    "greaterThanEqual",
+    "inversesqrt",
+    "length",
+    "lessThan",
+    "lessThanEqual",
+    "log",
+    "log2",
+    "matrixCompMult",
+    "max",
+    "min",
+    "mix",
+    "mod",
+    "normalize",
+    "not",
+    "notEqual",
+    "packHalf2x16",
+    "packSnorm2x16",
+    "packUnorm2x16",
+    "pow",
+    "radians",
+    "reflect",
+    "refract",
+    "sign",
+    "sin",
+    "smoothstep",
+    "sqrt",
+    "step",
+    "tan",
+    "textureGradOffset",
+    "textureProjGradOffset",
+    "textureProjLodOffset",
+    "textureProjOffset",
+    "unpackHalf2x16",
+    "unpackSnorm2x16",
+    "unpackUnorm2x16",
+};
+static_assert(std::ranges::is_sorted(kOldBuiltins));
+
 }  // namespace
 
 std::optional<TextureCall> upgraded_texture_call(std::string_view word) {
@@ -130,15 +220,21 @@ std::string_view indexed_castle_name(std::string_view gl_word) {
 }
 
 NewWord new_word(std::string_view word) {
-  constexpr std::size_t kLongest = 31;
-  if (word.empty() || word.size() > kLongest) return none;
-  if ((kNewWordLengths[static_cast<unsigned char>(word[0])] >> word.size() & 1U) == 0) return none;
-  const auto found = std::ranges::lower_bound(kNewWords, word, {}, &WordKind::word);
-  return found != kNewWords.end() && found->word == word ? found->kind : none;
+  const WordKind* found = find_new_word(word);
+  return found == nullptr ? none : found->kind;
+}
+
+int new_word_version(std::string_view word) {
+  const WordKind* found = find_new_word(word);
+  return found == nullptr ? 0 : found->version;
 }
 
 bool is_new_builtin_function(std::string_view word) {
   return std::ranges::binary_search(kNewBuiltins, word);
+}
+
+bool is_builtin_function(std::string_view word) {
+  return is_new_builtin_function(word) || std::ranges::binary_search(kOldBuiltins, word);
 }
 
 }  // namespace plugc

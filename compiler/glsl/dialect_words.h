@@ -1,5 +1,5 @@
 #pragma once
-// Which words changed between GLSL 1.10 and 3.30, as tables.
+// Which words changed between GLSL 1.10 and 3.30, as tables, and which that are still names there a target refuses.
 
 #include <cstdint>
 #include <optional>
@@ -31,8 +31,13 @@ enum class NewWord : std::uint8_t {
   keyword,    ///< A type or statement: as a keyword it never follows a type.
 };
 NewWord new_word(std::string_view word);
+/// The version of GLSL from which on the word is none to take: 130 for most. Those of a later one are names in GLSL 3.30, and
+/// ESSL 3.00 reserves them (`shared` glslang reserves in both, though neither does).
+int new_word_version(std::string_view word);
 
 /// A function that became built-in after 1.20.
 bool is_new_builtin_function(std::string_view word);
+/// A function that is built into ESSL 3.00.
+bool is_builtin_function(std::string_view word);
 
 }  // namespace plugc

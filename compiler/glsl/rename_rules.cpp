@@ -1,7 +1,7 @@
-// Three reasons to rename: a word became a keyword and the text uses it as a name; a global or a function is named like a
-// function that became built-in (and would hide it from the code it is joined with); a variable named `texture` stands
-// beside a call that becomes `texture(...)`. The first two hold for texts older than version 130 only. What a word is used
-// as is told from its neighbours: no expression is parsed.
+// Three reasons to rename: a word became a keyword, or is one in some target, and the text uses it as a name; a global or a
+// function is named like a function that became built-in (and would hide it from the code it is joined with); a variable named
+// `texture` stands beside a call that becomes `texture(...)`. The first holds for texts that are older than the word, the
+// second for those older than version 130. What a word is used as is told from its neighbours: no expression is parsed.
 
 #include "glsl/rename_rules.h"
 
@@ -16,6 +16,11 @@ namespace plugc {
 namespace {
 
 constexpr int kFirstNewVersion = 130;
+constexpr int kEsslWords = 420;  // ESSL 3.00 has the words of GLSL up to here
+
+int version_of(const VersionDirective& version) {
+  return version.profile == "es" ? kEsslWords : version.number;
+}
 
 // One token among its neighbours.
 struct Neighbours {
@@ -59,11 +64,11 @@ class RuleFinder {
 
   RenameRules run(bool has_old_texture_call) {
     for (const MacroOutline& macro : outline_.macros) macros_.insert(macro.name);
-    const bool is_old = outline_.version.number < kFirstNewVersion;
-    if (is_old) find_new_builtins();
+    const int version = version_of(outline_.version);
+    if (version < kFirstNewVersion) find_new_builtins();
     for (const TokenStream& stream : streams_) {
       for (std::size_t i = 0; i < stream.size(); ++i) {
-        if (stream[i].kind == TokenKind::identifier) look_at({text_, stream, i}, is_old, has_old_texture_call);
+        if (stream[i].kind == TokenKind::identifier) look_at({text_, stream, i}, version, has_old_texture_call);
       }
     }
     if (!rules_.empty()) choose_names();
@@ -80,12 +85,12 @@ class RuleFinder {
     }
   }
 
-  void look_at(const Neighbours& token, bool is_old, bool has_old_texture_call) {
+  void look_at(const Neighbours& token, int version, bool has_old_texture_call) {
     const std::string_view word = token_text(text_, token.stream[token.i]);
     if (has_old_texture_call && word == "texture" && !macros_.contains(word) && is_texture_variable(token)) rules_[word];
-    if (!is_old) return;
     const NewWord kind = new_word(word);
-    if (kind == NewWord::none || macros_.contains(word) || !is_used_as_name(kind, token)) return;
+    if (kind == NewWord::none || version >= new_word_version(word) || macros_.contains(word) || !is_used_as_name(kind, token))
+      return;
     RenameRule& rule = rules_[word];
     rule.is_function = rule.is_keyword = true;
     rule.is_qualifier = kind == NewWord::qualifier;

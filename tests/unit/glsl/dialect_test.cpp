@@ -173,8 +173,16 @@ TEST_F(DialectTest, KeywordsInTheirOwnPlaceStay) {
 }
 
 TEST_F(DialectTest, NewVersionMeansItsKeywords) {
-  const std::string text = "#version 130\nfloat sample = 1.0; float inverse(float x) { return x; }";
+  const std::string text = "#version 400\nfloat sample = 1.0; float inverse(float x) { return x; }";
   EXPECT_EQ(upgraded(text), text);
+}
+
+TEST_F(DialectTest, VersionTellsWhichWordsAreNames) {
+  EXPECT_EQ(upgraded("#version 330\nfloat sample = 1.0; float inverse(float x) { return x; }"),
+            "#version 330\nfloat sample_ = 1.0; float inverse(float x) { return x; }");
+  EXPECT_EQ(upgraded("#version 300 es\nfloat shared = 1.0;"), "#version 300 es\nfloat shared_ = 1.0;");
+  EXPECT_EQ(upgraded("#version 330\nlayout(shared) uniform Block { float level; };"),
+            "#version 330\nlayout(shared) uniform Block { float level; };");
 }
 
 TEST_F(DialectTest, FunctionsThatBecameBuiltInAreRenamed) {
