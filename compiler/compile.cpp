@@ -69,7 +69,8 @@ LoadedScene load_scene(SourceId source, const std::filesystem::path& path, std::
   // from here everything that was written has a place
   loaded.graph = build_graph(std::move(document), path, sources, files, diagnostics, read_stage(stage, sources, diagnostics));
   // from here every USE is resolved, every prototype expanded, every Inline loaded, every value typed
-  loaded.scene = build_scene(loaded.graph, sources, files, {options.for_lint, {}, options.dynamic}, diagnostics);
+  loaded.scene =
+      build_scene(loaded.graph, sources, files, {options.for_lint, {}, options.dynamic, options.shadows}, diagnostics);
   loaded.scene.name = path.filename().string();
   // from here shapes know their lights, textures, effects and shadow maps
   return loaded;
@@ -137,7 +138,8 @@ std::vector<SceneParts> compile_library_file(SourceId source, const std::filesys
   const NodeGraph graph =
       build_graph(std::move(document), path, sources, files, diagnostics, read_document(stage, sources, diagnostics));
   ValidationStatistics validation;
-  auto parts = compile_library(graph, sources, files, {options.targets, options.optimize}, validator, diagnostics, validation);
+  auto parts = compile_library(graph, sources, files, {options.targets, options.optimize}, options.shadows, validator,
+                               diagnostics, validation);
   add(validation, statistics);
   return parts;
 }

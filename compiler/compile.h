@@ -39,6 +39,7 @@ struct CompileOptions {
   std::string stage;
   bool library = false;  ///< A file with effects and no shape becomes a library: each effect alone on built-in shapes.
   std::vector<std::string> dynamic;  ///< `DEF.field`: what a host may change while the scene is drawn.
+  ShadowDefaults shadows = {};
   std::optional<EffectArrangement> arrangement = {};
   KnownImages* known_images = nullptr;  ///< For lint: what earlier calls have found out of images.
 };

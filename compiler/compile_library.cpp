@@ -95,6 +95,10 @@ void LibraryScene::drop_other_kinds() {
       renumber(variant.depth_program);
     }
   }
+  for (MapPlan& plan : parts().maps) {
+    renumber(plan.moments_program);
+    renumber(plan.blur_program);
+  }
   prepared_.recipes = std::move(recipes);
 }
 
@@ -151,12 +155,13 @@ void LibraryScene::describe() {
 }  // namespace
 
 std::vector<SceneParts> compile_library(const NodeGraph& graph, SourceSet& sources, FileAccess& files,
-                                        const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
-                                        ValidationStatistics& statistics) {
+                                        const ProgramOptions& options, const ShadowDefaults& shadows, Validator& validator,
+                                        Diagnostics& diagnostics, ValidationStatistics& statistics) {
   std::vector<SceneParts> all;
   MeshCache meshes;
   for (const NodeId effect : library_effects(graph)) {
     SceneOptions alone;
+    alone.shadows = shadows;
     alone.alone = effect;
     alone.dynamic = {std::string(kLibraryStage) + ".whichChoice"};
     Scene scene = build_scene(graph, sources, files, alone, diagnostics);

@@ -13,7 +13,7 @@ namespace plugc {
 
 /// One scene an effect, in the order of the file. `graph` holds the stage behind the library's own nodes.
 std::vector<SceneParts> compile_library(const NodeGraph& graph, SourceSet& sources, FileAccess& files,
-                                        const ProgramOptions& options, Validator& validator, Diagnostics& diagnostics,
-                                        ValidationStatistics& statistics);
+                                        const ProgramOptions& options, const ShadowDefaults& shadows, Validator& validator,
+                                        Diagnostics& diagnostics, ValidationStatistics& statistics);
 
 }  // namespace plugc

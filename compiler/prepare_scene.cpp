@@ -148,6 +148,18 @@ void plan_variants(ShapeStates states, bool casts, const std::vector<EffectCode>
   plan.states = std::move(states.states);
 }
 
+/// The programs that turn depths into moments, for the maps that keep them.
+void plan_maps(SceneParts& parts, RecipeList& recipes) {
+  for (const SceneShadowMap& map : parts.scene.shadow_maps) {
+    MapPlan plan;
+    if (keeps_moments(map.method)) {
+      const auto [moments, blur] = make_map_recipes(map.method);
+      plan = {recipes.add(moments, -1), recipes.add(blur, -1)};
+    }
+    parts.maps.push_back(plan);
+  }
+}
+
 void prepare_recipes(PreparedScene& prepared) {
   SceneParts& parts = prepared.parts;
   RecipeList recipes(prepared.recipes);
@@ -162,6 +174,7 @@ void prepare_recipes(PreparedScene& prepared) {
     const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, alpha);
     plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects), casts, prepared.effects, recipes, plan);
   }
+  plan_maps(parts, recipes);
 }
 
 }  // namespace

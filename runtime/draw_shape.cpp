@@ -36,9 +36,27 @@ BoundTexture shadow_texture(LoadedScene& scene, const Pass& pass, std::uint32_t 
   return {scene.resources.stand_in(type, scene.shadow_maps[map].reversed).id()};
 }
 
+/// The moments, or what they are made from. A map that is not drawn has none: at a depth plane of zeros, all is lit.
+BoundTexture moments_texture(LoadedScene& scene, const Pass& pass, const PackedBinding& binding, PackedUniformType type) {
+  const ShadowMap& map = scene.shadow_maps[binding.a()];
+  if (type != PackedUniformType::sampler2D) return {scene.resources.stand_in(type).id()};
+  const bool drawn = map.moments && map.in_use;
+  if (drawn && binding.source() == PackedSource::shadow_depths)
+    return {map.texture.id(), scene.resources.depth_texel_sampler().id()};
+  if (drawn && binding.source() == PackedSource::shadow_unblurred) return {map.unblurred.id()};
+  if (drawn && binding.source() == PackedSource::shadow_moments && pass.shadows && !pass.depth_only) return {map.moments.id()};
+  return {scene.resources.stand_in(type).id()};
+}
+
+bool is_of_moments(PackedSource source) {
+  return source == PackedSource::shadow_moments || source == PackedSource::shadow_depths ||
+         source == PackedSource::shadow_unblurred;
+}
+
 BoundTexture find_texture(LoadedScene& scene, const Pass& pass, const PackedBinding& binding, PackedUniformType type,
                           Messages& messages) {
   if (binding.source() == PackedSource::shadow_map) return shadow_texture(scene, pass, binding.a(), type);
+  if (is_of_moments(binding.source())) return moments_texture(scene, pass, binding, type);
   if (binding.source() == PackedSource::texture && !compares(type)) {
     return {scene.resources.texture(binding.a(), type, messages).id()};
   }
@@ -126,6 +144,19 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   apply_bindings(functions, scene, pass, program, pass.depth_only ? *use.depth_bindings : *use.bindings, inputs, messages);
   if (!pass.depth_only) gl::set_draw_state(functions, state_of(shape, object_to_world));
   gl::draw_mesh(functions, mesh);
+  pass.programs.insert(program_index);
+  return true;
+}
+
+bool draw_over_map(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t program_index,
+                   const Bindings& bindings, Messages& messages) {
+  const LoadedProgram& program = scene.programs.get(program_index, messages);
+  if (!program.program) return false;
+  gl::use_program(functions, program.program);
+  const UniformInputs inputs{*scene.packed,     scene.slots, scene.world,    pass.view,
+                             pass.shadow_views, &pass.view,  glm::dmat4(1.0)};
+  apply_bindings(functions, scene, pass, program, bindings, inputs, messages);
+  gl::draw_whole(functions, scene.resources.no_attributes());
   pass.programs.insert(program_index);
   return true;
 }

@@ -18,6 +18,10 @@ struct Pass {
   std::set<std::uint32_t> programs;  ///< Used so far.
 };
 
+/// Draws over the whole target that is bound, with a program of map `map`. False when the driver rejected the program.
+bool draw_over_map(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t program,
+                   const flatbuffers::Vector<const PackedBinding*>& bindings, Messages& messages);
+
 /// False when nothing was drawn: the driver rejected the program, or the mesh is empty.
 bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t shape, Messages& messages);
 

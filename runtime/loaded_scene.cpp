@@ -14,6 +14,11 @@ void upload(LoadedScene& scene, Messages& messages) {
       if (use.depth_program >= 0) scene.programs.get(static_cast<std::uint32_t>(use.depth_program), messages);
     }
   }
+  for (const PackedShadowMap* map : *scene.packed->shadow_maps()) {
+    for (const std::int32_t program : {map->moments_program(), map->blur_program()}) {
+      if (program >= 0) scene.programs.get(static_cast<std::uint32_t>(program), messages);
+    }
+  }
 }
 
 }  // namespace

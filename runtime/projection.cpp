@@ -94,7 +94,9 @@ View fit_directional(const LightFrame& light, const FitInput& input) {
   const double start = light.located ? 0 : first;
   Interval depth = widened({first, std::max(last_receiver, first)}, kDepthMargin);
   depth = chosen(light, {depth.low - start, depth.high - start});
-  view.projection = parallel(rectangle, {depth.low + start, depth.high + start}, false);
+  view.near = depth.low + start;
+  view.far = depth.high + start;
+  view.projection = parallel(rectangle, {view.near, view.far}, false);
   return view;
 }
 
@@ -119,6 +121,8 @@ View fit_spot(const LightFrame& light, const FitInput& input) {
   Interval depth = chosen(light, {nearest * (1 - kDepthMargin), far});
   depth.low = light.near > 0 ? depth.low : std::max(depth.low, depth.high * kNearestSpotRatio);
   view.projection = perspective({-half, -half, half, half}, depth, false);
+  view.near = depth.low;
+  view.far = depth.high;
   return view;
 }
 
@@ -232,6 +236,25 @@ std::optional<glm::dvec4> front_of(const PlacedBox& placed, const glm::dvec4& li
 
 View fit_light(const LightFrame& light, const FitInput& input) {
   return checked(light.kind == PackedLightKind::spot ? fit_spot(light, input) : fit_directional(light, input));
+}
+
+glm::dvec4 linear_depth_plane(const View& light) {
+  const double range = light.far - light.near;
+  if (!(range > 0)) return glm::dvec4(0);
+  const glm::dmat4& to_eye = light.world_to_eye;
+  const glm::dvec4 height(to_eye[0][2], to_eye[1][2], to_eye[2][2], to_eye[3][2]);  // against the light's direction
+  return -(height + glm::dvec4(0, 0, 0, light.near)) / range;
+}
+
+glm::dvec4 linear_depth_line(const View& light) {
+  // Clip depth c = (a z + b) / (p z + q), so z = (b - c q) / (c p - a); the distance -z is then counted from near to far.
+  const glm::dmat4& m = light.projection;
+  const double a = m[2][2], b = m[3][2], p = m[2][3], q = m[3][3];
+  const double range = light.far - light.near;
+  const glm::dvec2 above(q - light.near * p, light.near * a - b);  // of c, and alone
+  const glm::dvec2 below(range * p, -range * a);
+  if (light.reversed) return glm::dvec4(above, below);
+  return {2 * above.x, above.y - above.x, 2 * below.x, below.y - below.x};  // c = 2 d - 1
 }
 
 glm::dmat4 world_to_texture(const View& light) {

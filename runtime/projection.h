@@ -77,6 +77,12 @@ View checked(const View& view);
 /// box that is not flat, or whose shape may leave it.
 std::optional<glm::dvec4> front_of(const PlacedBox& placed, const glm::dvec4& light);
 
+/// World space to linear depth: the dot product with (x, y, z, 1) runs from 0 at the near end of the map's depths to 1 at the
+/// far end. Zero for a view without a range.
+glm::dvec4 linear_depth_plane(const View& light);
+/// A depth d as the map stores it to the same linear depth: (x d + y) / (z d + w).
+glm::dvec4 linear_depth_line(const View& light);
+
 /// World space to the map's texture space: x and y from 0 to 1, depth from 0 to 1 or as `reversed` says.
 glm::dmat4 world_to_texture(const View& light);
 

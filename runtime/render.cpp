@@ -34,6 +34,19 @@ void place_scene(LoadedScene& scene) {
   scene.placed_revision = scene.slots.revision();
 }
 
+/// Turns the map's depths into moments, and blurs them along rows and then along columns.
+void make_moments(const gl::Functions& gl, LoadedScene& scene, std::uint32_t index, Pass& pass, FrameStatistics& statistics,
+                  Messages& messages) {
+  const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
+  const ShadowMap& map = scene.shadow_maps[index];
+  if (!map.moments) return;
+  gl::begin_whole_pass(gl, map.unblurred_target, map.size);
+  draw_over_map(gl, scene, pass, static_cast<std::uint32_t>(packed.moments_program()), *packed.moments_bindings(), messages);
+  gl::begin_whole_pass(gl, map.moments_target, map.size);
+  draw_over_map(gl, scene, pass, static_cast<std::uint32_t>(packed.blur_program()), *packed.blur_bindings(), messages);
+  statistics.shadow_filter_passes += 2;
+}
+
 void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t index, std::set<std::uint32_t>& programs,
                      FrameStatistics& statistics, Messages& messages) {
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
@@ -43,6 +56,7 @@ void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t 
   Pass pass{map.view, true, false, std::vector<View>(scene.shadow_maps.size()), {}};
   std::uint32_t drawn = 0;
   for (const std::uint32_t shape : caster_order(scene, map.view)) drawn += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;
+  make_moments(gl, scene, index, pass, statistics, messages);
   statistics.shadow_draw_calls += drawn;
   statistics.shadow_passes += drawn != 0 ? 1 : 0;  // without a caster the map is only cleared
   programs.merge(pass.programs);
@@ -58,7 +72,11 @@ void draw_shadow_maps(const gl::Functions& gl, LoadedScene& scene, const View& c
 void draw_picture(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const View& camera, bool shadows,
                   std::set<std::uint32_t>& programs, FrameStatistics& statistics, Messages& messages) {
   Pass pass{camera, false, shadows, {}, {}};
-  for (const ShadowMap& map : scene.shadow_maps) pass.shadow_views.push_back(map.view);
+  for (const ShadowMap& map : scene.shadow_maps) {
+    pass.shadow_views.push_back(map.view);
+    if (!shadows || !map.in_use)
+      pass.shadow_views.back().near = pass.shadow_views.back().far = 0;  // depth 0: before all moments
+  }
   gl::begin_color_pass(gl, target.framebuffer, target.width, target.height, background_of(scene));
   for (const std::uint32_t shape : draw_order(scene, camera)) {
     statistics.draw_calls += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;

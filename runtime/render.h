@@ -31,6 +31,7 @@ struct FrameStatistics {
   std::uint32_t draw_calls = 0;
   std::uint32_t shadow_passes = 0;
   std::uint32_t shadow_draw_calls = 0;
+  std::uint32_t shadow_filter_passes = 0;  ///< Over all texels of a map.
   std::uint32_t programs_used = 0;
 };
 

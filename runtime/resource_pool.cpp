@@ -39,4 +39,14 @@ const gl::Sampler& ResourcePool::depth_picture_sampler() {
   return depth_picture_sampler_;
 }
 
+const gl::Sampler& ResourcePool::depth_texel_sampler() {
+  if (!depth_texel_sampler_) depth_texel_sampler_ = gl::make_depth_texel_sampler(*gl_);
+  return depth_texel_sampler_;
+}
+
+const gl::VertexArray& ResourcePool::no_attributes() {
+  if (!no_attributes_) no_attributes_ = gl::generate<gl::VertexArray>(*gl_, gl_->GenVertexArrays);
+  return no_attributes_;
+}
+
 }  // namespace plugc

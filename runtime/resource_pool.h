@@ -24,6 +24,8 @@ class ResourcePool {
   /// whose format a program keeps the driver's code for it.
   const gl::Texture& stand_in(PackedUniformType sampler, bool reversed = false);
   const gl::Sampler& depth_picture_sampler();
+  const gl::Sampler& depth_texel_sampler();
+  const gl::VertexArray& no_attributes();
 
  private:
   const gl::Functions* gl_ = nullptr;
@@ -31,7 +33,8 @@ class ResourcePool {
   std::vector<std::optional<gl::Mesh>> meshes_;
   std::map<std::pair<std::uint32_t, GLenum>, gl::Texture> textures_;  ///< One picture can be read as 2D and as 3D.
   std::map<std::pair<PackedUniformType, bool>, gl::Texture> stand_ins_;
-  gl::Sampler depth_picture_sampler_;
+  gl::Sampler depth_picture_sampler_, depth_texel_sampler_;
+  gl::VertexArray no_attributes_;
 };
 
 }  // namespace plugc

@@ -26,7 +26,8 @@ bool receives(const PackedShape& shape, std::uint32_t map) {
 
 bool reads(const flatbuffers::Vector<const PackedBinding*>& bindings, std::uint32_t map) {
   return std::any_of(bindings.begin(), bindings.end(), [map](const PackedBinding* binding) {
-    const bool of_map = binding->source() == PackedSource::shadow_map || binding->source() == PackedSource::projector_matrix;
+    const bool of_map = binding->source() == PackedSource::shadow_map || binding->source() == PackedSource::shadow_moments ||
+                        binding->source() == PackedSource::projector_matrix;
     return of_map && binding->a() == map;
   });
 }
@@ -49,6 +50,14 @@ std::vector<MapReader> find_readers(const PackedScene& scene, std::uint32_t map)
   return readers;
 }
 
+void add_moments(const gl::Functions& functions, PackedShadowMethod method, ShadowMap& map) {
+  const bool two = method == PackedShadowMethod::vsm;
+  map.unblurred = gl::make_float_texture(functions, map.size, two);
+  map.unblurred_target = gl::make_float_target(functions, map.unblurred);
+  map.moments = gl::make_float_texture(functions, map.size, two);
+  map.moments_target = gl::make_float_target(functions, map.moments);
+}
+
 ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap& packed, const PackedLight& light,
                           Messages& messages) {
   ShadowMap map;
@@ -59,8 +68,10 @@ ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap&
   }
   map.size = usable_size(packed.size(), gl::max_target_side(functions), messages);
   map.reversed = !packed.author_visible() && functions.ClipControl != nullptr;
-  map.texture = gl::make_depth_texture(functions, GL_TEXTURE_2D, map.size, map.reversed);
+  const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
+  map.texture = gl::make_depth_texture(functions, GL_TEXTURE_2D, map.size, map.reversed, filter);
   map.framebuffer = gl::make_depth_target(functions, map.texture);
+  if (keeps_moments(packed.method())) add_moments(functions, packed.method(), map);
   return map;
 }
 

@@ -20,6 +20,8 @@ struct MapReader {
 struct ShadowMap {
   gl::Texture texture;  ///< None when the map is never drawn: whoever reads it is lit.
   gl::Framebuffer framebuffer;
+  gl::Texture moments, unblurred;  ///< Of a method that keeps moments; the second one is blurred along rows alone.
+  gl::Framebuffer moments_target, unblurred_target;
   GLsizei size = 0;
   bool reversed = false;             ///< Stores depths that fall from 1 to 0: nobody but the renderer's own code reads them.
   std::vector<MapReader> readers;    ///< Whose programs look into it.

@@ -232,8 +232,8 @@ void choose(const LightSpace& space, const LightFrame& light, const Box& needed,
   const Interval fresh_y = in_steps(y, light.map_size, space.spot ? 1 : unit);
   Interval depth = widened({needed.min.z, needed.max.z}, kDepthMargin);
   if (space.spot) depth.low = std::max(depth.low, depth.high * kNearestRatio);
-  const Interval fresh_depth =
-      space.spot ? Interval{unit * std::exp2(std::floor(std::log2(depth.low / unit))), depth.high} : depth_in_steps(depth, unit);
+  const Interval fresh_depth = space.spot ? Interval{unit * std::exp2(std::floor(std::log2(depth.low / unit))), depth.high}
+                                          : depth_in_steps(depth, unit);
   if (memory.any && memory.light == light) {
     const Interval kept_x = {memory.window.x, memory.window.z};
     const Interval kept_y = {memory.window.y, memory.window.w};
@@ -261,17 +261,21 @@ View centred(const View& view, const glm::dvec3& shift) {
   return moved;
 }
 
-View view_of(const LightSpace& space, const FitMemory& memory) {
+/// `far`: where the last box ends. A spot light's depths run on beyond those of the memory; linear ones must end there.
+View view_of(const LightSpace& space, const FitMemory& memory, double far) {
   View view = space.view;
   const glm::dvec4& window = memory.window;
   if (space.spot) {
     view.projection = perspective(window, memory.depth, true);
+    view.near = memory.depth.low;
+    view.far = std::max(memory.depth.high, far);
     return view;
   }
   const glm::dvec2 center((window.x + window.z) / 2, (window.y + window.w) / 2);
   view = centred(view, {center, -memory.depth.low});
   const glm::dvec2 half((window.z - window.x) / 2, (window.w - window.y) / 2);
-  view.projection = parallel({-half, half}, {0, memory.depth.high - memory.depth.low}, true);
+  view.far = memory.depth.high - memory.depth.low;
+  view.projection = parallel({-half, half}, {0, view.far}, true);
   return view;
 }
 
@@ -291,7 +295,7 @@ TightFit fit_tightly(const LightFrame& light, const FitInput& input, FitMemory& 
   choose(space, light, needed, coarseness, memory);
   if (light.rectangle != glm::dvec4(0)) memory.window = light.rectangle;
   if (light.angle_written) memory.window = glm::dvec4(-1, -1, 1, 1) * space.half_window;
-  return {checked(view_of(space, memory)), true, memory.coarseness};
+  return {checked(view_of(space, memory, far)), true, memory.coarseness};
 }
 
 }  // namespace plugc

@@ -184,6 +184,9 @@ Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, co
     case PackedSource::light_ambient_color:
     case PackedSource::light_attenuation:
     case PackedSource::light_on: return light_numbers(binding, inputs);
+    case PackedSource::shadow_depth_plane:
+      return numbers(linear_depth_plane(shadow_view(binding, inputs)) * inputs.view.eye_to_world);
+    case PackedSource::shadow_depth_line: return numbers(linear_depth_line(shadow_view(binding, inputs)));
     default: return matrix_numbers(binding, inputs);
   }
 }

@@ -52,6 +52,10 @@ std::vector<float> content_numbers(const LoadedScene& scene, const PackedShadowM
   append(numbers, light.projection);
   numbers.push_back(static_cast<float>(scene.slots.number(packed.scale(), 0)));
   numbers.push_back(static_cast<float>(scene.slots.number(packed.bias(), 0) * coarseness));
+  if (keeps_moments(packed.method())) {
+    numbers.push_back(static_cast<float>(light.near));
+    numbers.push_back(static_cast<float>(light.far));
+  }
   for (const std::uint32_t shape : caster_order(scene, light)) append_caster(numbers, scene, light, shape);
   return numbers;
 }

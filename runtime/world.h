@@ -53,7 +53,8 @@ struct View {
   glm::dmat4 world_to_eye{1.0};  ///< Rigid: no scale.
   glm::dmat4 eye_to_world{1.0};
   glm::dmat4 projection{1.0};
-  bool reversed = false;  ///< Clip depth runs from 1 (near) to 0 (far), as with glClipControl; else from -1 to 1.
+  double near = 0, far = 0;  ///< Of a light: between which distances along its view linear depth runs from 0 to 1; equal: none.
+  bool reversed = false;     ///< Clip depth runs from 1 (near) to 0 (far), as with glClipControl; else from -1 to 1.
 };
 
 /// A rigid frame with the eye at `position`, looking along `direction`. Neither vector needs to be unit or orthogonal; an

@@ -27,6 +27,7 @@ inline constexpr std::uint32_t kMaxExpressionNesting = 200;           ///< Brack
 inline constexpr std::uint32_t kMaxImageSide = 16'384;                ///< Pixels along one side of an image.
 inline constexpr std::size_t kMaxJoinedTexels = 1 << 27;              ///< Of a volume or cube map made of pictures.
 inline constexpr std::size_t kMaxMeshVertices = 50'000'000;           ///< Vertices of one mesh.
-inline constexpr std::uint32_t kMaxShadowMapSide = 8'192;             ///< Texels along one side of a shadow map.
+inline constexpr std::uint32_t kMaxMomentMapSide = 4'096;  ///< The same of one that holds moments: 16 bytes a texel, twice.
+inline constexpr std::uint32_t kMaxShadowMapSide = 8'192;  ///< Texels along one side of a shadow map.
 
 }  // namespace plugc

@@ -93,6 +93,7 @@ void add_build_command(CLI::App& app, int& status) {
   verb->add_option("--depfile", options->depfile, "Also write what the package depends on, for make and ninja");
   add_dynamic_option(*verb, options->common);
   add_optimize_option(*verb, options->common);
+  add_shadows_option(*verb, options->common);
   add_common_options(*verb, options->common);
   add_jobs_option(*verb, options->common, "Programs that are validated at a time");
   verb->footer(

@@ -7,7 +7,12 @@
 #include <fstream>
 #include <system_error>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <sys/stat.h>
+
+#include "scene/shadow_defaults.h"
 
 namespace plugc {
 namespace {
@@ -84,8 +89,22 @@ void add_optimize_option(CLI::App& verb, CommonOptions& options) {
                 "Leave out of programs what does not reach the picture (spirv-opt, SPIRV-Cross); less readable");
 }
 
+void add_shadows_option(CLI::App& verb, CommonOptions& options) {
+  verb.add_option("--shadows", options.shadows,
+                  fmt::format("Method, and perhaps size in texels, of the shadow maps of which the scene does not say it, as "
+                              "METHOD[,SIZE]: {}",
+                              fmt::join(shadow_method_names(), ", ")))
+      ->check([](const std::string& text) { return read_shadow_defaults(text).error; });
+}
+
+int refuse_shadows_of_package() {
+  fmt::print(stderr, "plugc: `--shadows` is decided when a package is built; give it to `plugc build`, or give the scene\n");
+  return kBrokenUse;
+}
+
 CompileOptions compile_options(const CommonOptions& options) {
   CompileOptions compile;
+  if (!options.shadows.empty()) compile.shadows = read_shadow_defaults(options.shadows).shadows;
   compile.dynamic = options.dynamic;
   compile.root = options.root;
   compile.optimize = options.optimize;

@@ -26,12 +26,17 @@ struct CommonOptions {
   bool optimize = false;
   std::size_t jobs = 1;
   std::vector<std::string> dynamic;
+  std::string shadows;  ///< METHOD[,SIZE], checked; empty: not given.
 };
 void add_common_options(CLI::App& verb, CommonOptions& options);
 /// `--dynamic`, for the verbs that make packages.
 void add_dynamic_option(CLI::App& verb, CommonOptions& options);
 /// `--optimize`, for the same.
 void add_optimize_option(CLI::App& verb, CommonOptions& options);
+/// `--shadows`, for every verb that compiles.
+void add_shadows_option(CLI::App& verb, CommonOptions& options);
+/// Says that `--shadows` changes no package.
+int refuse_shadows_of_package();
 CompileOptions compile_options(const CommonOptions& options);
 /// `-j N`: what is said and made does not depend on it.
 void add_jobs_option(CLI::App& verb, CommonOptions& options, const std::string& meaning);

@@ -114,6 +114,7 @@ int print_orders(const InspectOptions& options, Validator& validator) {
 
 int inspect(const InspectOptions& options) {
   if (!options.as.empty()) return print_document(options);
+  if (!options.common.shadows.empty() && is_package_file(options.input)) return refuse_shadows_of_package();
   SourceSet sources;
   Diagnostics diagnostics(sources);
   const bool early = options.dump == "document" || options.dump == "scene" || options.dump == "recipes";
@@ -169,6 +170,7 @@ void add_inspect_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
   add_dynamic_option(*verb, options->common);
   add_optimize_option(*verb, options->common);
+  add_shadows_option(*verb, options->common);
   add_common_options(*verb, options->common);
   verb->footer("Without an option the programs are listed.\n\nExample: plugc inspect scene.x3dv --program 0");
   verb->callback([options, &status] { status = inspect(*options); });

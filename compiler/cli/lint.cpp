@@ -83,6 +83,7 @@ void add_lint_command(CLI::App& app, int& status) {
   verb->add_option("--target", options->common.targets, "Dialects to check for: glsl330, essl300, spirv")
       ->delimiter(',')
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
+  add_shadows_option(*verb, options->common);
   add_common_options(*verb, options->common);
   add_jobs_option(*verb, options->common, "Files that are checked at a time");
   verb->footer(

@@ -136,6 +136,7 @@ int preview(const PreviewOptions& options) {
   frame.samples = options.samples;
   frame.shadows = !options.no_shadows;
   const bool packed = is_package_file(options.input);
+  if (packed && !options.common.shadows.empty()) return refuse_shadows_of_package();
   std::unique_ptr<Validator> validator;  // forks, so it is made before the drawing thread starts
   if (!packed) validator = std::make_unique<Validator>(make_validator(options.common));
 
@@ -202,6 +203,7 @@ void add_preview_command(CLI::App& app, int& status) {
   verb->add_flag("--statistics", options->statistics, "Print draw calls, programs and shadow passes");
   add_dynamic_option(*verb, options->common);
   add_optimize_option(*verb, options->common);
+  add_shadows_option(*verb, options->common);
   add_common_options(*verb, options->common);
   add_jobs_option(*verb, options->common, "Programs that are validated at a time");
   verb->footer(

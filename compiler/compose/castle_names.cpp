@@ -49,6 +49,11 @@ constexpr Pattern kPatterns[] = {
     {"castle_shadow_map_#", {uniform, "sampler2DShadow", Source::shadow_map}},
     {"castle_projector_matrix_#", {uniform, "mat4", Source::projector_matrix}},
     {"castle_shadow_intensity_#", {uniform, "float", Source::shadow_intensity}},
+    {"castle_shadow_moments_#", {uniform, "sampler2D", Source::shadow_moments}},
+    {"castle_shadow_depth_plane_#", {uniform, "vec4", Source::shadow_depth_plane}},
+    {"castle_shadow_depths", {uniform, "sampler2D", Source::shadow_depths}},
+    {"castle_shadow_depth_line", {uniform, "vec4", Source::shadow_depth_line}},
+    {"castle_shadow_unblurred", {uniform, "sampler2D", Source::shadow_unblurred}},
     {"castle_FogColor", {uniform, "vec3", Source::fog_color}},
     {"castle_FogVisibilityRange", {uniform, "float", Source::fog_visibility_range}},
     {"castle_CameraMatrix", {uniform, "mat4", Source::camera_matrix}},
@@ -69,6 +74,7 @@ constexpr Pattern kPatterns[] = {
     {"castle_Color", {varying, "vec4"}},
     {"castle_ColorPerVertexFragment", {varying, "vec4"}},
     {"castle_projected_tex_coord_#", {varying, "vec4"}},
+    {"castle_shadow_depth_#", {varying, "float"}},
     {"castle_FragColor", {output, "vec4"}},
 };
 

@@ -11,6 +11,7 @@
 #include "compose/castle_names.h"
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
+#include "compose/shadow_units.h"
 #include "compose/texture_features.h"
 
 namespace plugc {
@@ -35,6 +36,7 @@ class Placer {
   void place_base();
   bool place_shader();
   void place_light(int number);
+  void place_shadow(const LightRecipe& light, PlugScope scope);
   void place_texture(int number);
   void place_further_texture(int number);
   void place_effects(const std::vector<int>& effects, PlugScope scope);
@@ -179,7 +181,11 @@ bool Placer::place_shader() {
 }
 
 void Placer::place_base() {
-  if (recipe_.depth_only) {
+  if (recipe_.map_pass != MapPass::none) {
+    add_template("shadows/whole_map.vert", ShaderStage::vertex, {}, {});
+    for (const ShadowUnit& unit : map_pass_units(recipe_.map_pass))
+      add_template(unit.file, ShaderStage::fragment, unit.features, {});
+  } else if (recipe_.depth_only) {
     add_template("depth.vert", ShaderStage::vertex, base_features(), {});
     add_template("depth.frag", ShaderStage::fragment, {}, {});
   } else if (!place_shader()) {
@@ -195,8 +201,16 @@ void Placer::place_light(int number) {
   const PlugScope scope{ScopeKind::light, number};
   add_template("light.glsl", lighting_, light_features(light), scope);
   if (!light.shadow) return;
-  add_template("shadow.vert", ShaderStage::vertex, {}, scope);
+  add_template("shadow.vert", ShaderStage::vertex, keeps_moments(light.shadow_method) ? Features{"MOMENTS"} : Features{},
+               scope);
   c_.units.back().of_shadow = true;
+}
+
+void Placer::place_shadow(const LightRecipe& light, PlugScope scope) {
+  for (const ShadowUnit& unit : shadow_units(light, c_.target)) {
+    add_template(unit.file, lighting_, unit.features, scope);
+    c_.units.back().of_shadow = true;
+  }
 }
 
 /// A texture beside the material's main ones.
@@ -320,10 +334,7 @@ void Placer::place() {
     const LightRecipe& light = recipe_.lights[i];
     const PlugScope scope{ScopeKind::light, static_cast<int>(i)};
     place_effects(light.effects, scope);
-    if (light.shadow) {
-      add_template("shadow.glsl", lighting_, light.shadow_intensity ? Features{"SHADOW_INTENSITY"} : Features{}, scope);
-      c_.units.back().of_shadow = true;
-    }
+    if (light.shadow) place_shadow(light, scope);
   }
   for (std::size_t i = 0; i < recipe_.textures.size(); ++i) {
     place_effects(recipe_.textures[i].effects, {ScopeKind::texture, static_cast<int>(i)});

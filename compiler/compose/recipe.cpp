@@ -110,6 +110,7 @@ LightRecipe RecipeMaker::light(int index) const {
     recipe.beam_width = beam->routed || cut_off->routed || beam->values[0] < cut_off->values[0];
   }
   recipe.shadow = std::find(shape_.receives.begin(), shape_.receives.end(), index) != shape_.receives.end();
+  if (recipe.shadow) recipe.shadow_method = scene_.shadow_maps[static_cast<std::size_t>(light.shadow_map)].method;
   recipe.shadow_intensity = recipe.shadow && may_differ(light.shadow_intensity, 1);
   recipe.effects = switched_on(light.effects);
   return recipe;
@@ -234,6 +235,15 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
   depth.normals = recipe.normals && !depth.effects.empty();
   if (has_geometry) depth.primitive = recipe.primitive;
   return depth;
+}
+
+std::array<Recipe, 2> make_map_recipes(ShadowMethod method) {
+  Recipe moments, blur;
+  moments.map_pass = method == ShadowMethod::vsm    ? MapPass::vsm_moments
+                     : method == ShadowMethod::evsm ? MapPass::evsm_moments
+                                                    : MapPass::msm_moments;
+  blur.map_pass = MapPass::blur;
+  return {moments, blur};
 }
 
 }  // namespace plugc

@@ -2,6 +2,7 @@
 // What a shape needs of its program, and nothing else: two shapes with equal recipes share a program without composing it
 // twice. Colours, positions and the like are no part of it; whether a term can matter at all is.
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <set>
@@ -20,10 +21,11 @@ struct LightRecipe {
   bool radius = false;
   bool beam_width = false;
   bool shadow = false;
-  bool shadow_intensity = false;  ///< Something else than full shadow.
-  bool off = false;               ///< Keeps its number and has no code.
-  bool guarded = false;           ///< Its code stands under a switch of the program.
-  std::vector<int> effects;       ///< Into Scene::effects.
+  ShadowMethod shadow_method = kDefaultShadowMethod;  ///< Of a shadow.
+  bool shadow_intensity = false;                      ///< Something else than full shadow.
+  bool off = false;                                   ///< Keeps its number and has no code.
+  bool guarded = false;                               ///< Its code stands under a switch of the program.
+  std::vector<int> effects;                           ///< Into Scene::effects.
   auto operator<=>(const LightRecipe&) const = default;
 };
 
@@ -41,8 +43,13 @@ struct TextureRecipe {
 /// What a shape is drawn as.
 enum class Primitive : std::uint8_t { none, points, lines, triangles };
 
+/// A pass over the texels of a shadow map that keeps moments: from depths to moments, blurred along rows, and then along
+/// columns.
+enum class MapPass : std::uint8_t { none, vsm_moments, evsm_moments, msm_moments, blur };
+
 struct Recipe {
   bool depth_only = false;  ///< The program of a shadow pass.
+  MapPass map_pass = MapPass::none;
   bool gouraud = false;
   bool lit = false;
   bool physical = false;  ///< Lit as a PhysicalMaterial; its light is added up linearly and encoded for the screen at the end.
@@ -87,6 +94,9 @@ Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts
                    const SwitchedParts& switched = {});
 /// The recipe of a caster's depth pass: of its effects only those that move vertices or change primitives.
 Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes);
+
+/// The recipes of a map of that method, in the order in which they are drawn.
+std::array<Recipe, 2> make_map_recipes(ShadowMethod method);
 
 /// A mode of MultiTexture as a word of a recipe: X3D's name in small letters.
 std::string_view to_text(TextureMode mode);

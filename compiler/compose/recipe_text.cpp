@@ -23,6 +23,11 @@ void append_effects(std::string& text, const std::vector<int>& effects, const Sc
 }
 
 void append_base(std::string& text, const Recipe& recipe) {
+  if (recipe.map_pass != MapPass::none) {
+    constexpr std::string_view kPasses[] = {"", "moments vsm", "moments evsm", "moments msm", "blur of moments"};
+    text = kPasses[static_cast<std::size_t>(recipe.map_pass)];
+    return;
+  }
   text = recipe.depth_only ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
   const Word words[] = {{!recipe.depth_only && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
                         {recipe.physical, " physical"},
@@ -46,11 +51,14 @@ void append_light(std::string& text, const LightRecipe& light) {
   }
   constexpr std::string_view kKinds[] = {"directional", "point", "spot"};
   text += fmt::format("; light {}", kKinds[static_cast<std::size_t>(light.kind)]);
-  const Word words[] = {{light.ambient, " ambient"}, {light.attenuation, " attenuation"},
-                        {light.radius, " radius"},   {light.beam_width, " beam_width"},
-                        {light.shadow, " shadow"},   {light.shadow_intensity, " shadow_intensity"},
-                        {light.guarded, " switched"}};
+  const Word words[] = {{light.ambient, " ambient"},
+                        {light.attenuation, " attenuation"},
+                        {light.radius, " radius"},
+                        {light.beam_width, " beam_width"}};
   append_words(text, words);
+  if (light.shadow) text += fmt::format(" shadow {}", to_text(light.shadow_method));
+  const Word further[] = {{light.shadow_intensity, " shadow_intensity"}, {light.guarded, " switched"}};
+  append_words(text, further);
 }
 
 /// X3D's name in small letters.

@@ -183,8 +183,8 @@ const TemplateFile& find_template(std::string_view name) {
     const auto files = stdlib_files();
     for (std::uint32_t i = 0; i < files.size(); ++i) {
       const std::string_view file = files[i].name;
-      if (file.starts_with(kFolder))
-        all.emplace(file.substr(kFolder.size()), TemplateFile{i, fmt::format("plugc:/{}", file), files[i].text});
+      const std::string_view key = file.starts_with(kFolder) ? file.substr(kFolder.size()) : file;
+      all.emplace(key, TemplateFile{i, fmt::format("plugc:/{}", file), files[i].text});
     }
     return all;
   }();

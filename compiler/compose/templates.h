@@ -40,7 +40,7 @@ MappedText number_names(const MappedText& text, int number);
 class TemplateLibrary {
  public:
   explicit TemplateLibrary(SourceSet& sources) : sources_(&sources) {}
-  /// `name` without folder, e.g. `phong.frag`; `number` -1 for none.
+  /// `name` below `templates/`, e.g. `phong.frag`, or with its folder, e.g. `shadows/pcf.glsl`; `number` -1 for none.
   std::shared_ptr<const CodeUnit> get(std::string_view name, const Features& features, int number = -1);
 
  private:

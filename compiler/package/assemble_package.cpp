@@ -190,6 +190,9 @@ std::unique_ptr<PackedShadowMapT> pack_shadow_map(const SceneShadowMap& map) {
   packed->light = static_cast<std::uint32_t>(map.light);
   packed->size = map.size;
   packed->update = static_cast<PackedShadowUpdate>(map.update);
+  packed->method = static_cast<PackedShadowMethod>(map.method);
+  packed->scale_written = map.scale_written;
+  packed->bias_written = map.bias_written;
   packed->scale = map.scale;
   packed->bias = map.bias;
   packed->near = map.near;
@@ -241,6 +244,20 @@ PackedVariantT pack_variant(const SceneParts& parts, const PlannedVariant& plann
   variant.depth_program = static_cast<int>(packed.programs[static_cast<std::size_t>(planned.depth_program)]);
   variant.depth_bindings = pack_bindings(parts.programs[static_cast<std::size_t>(planned.depth_program)], context);
   return variant;
+}
+
+/// What turns a map's depths into blurred moments.
+void pack_map_programs(const SceneParts& parts, std::size_t map, const Packed& where, PackedShadowMapT& packed) {
+  const MapPlan plan = map < parts.maps.size() ? parts.maps[map] : MapPlan();
+  if (plan.moments_program < 0) return;
+  const SceneShape none;
+  const BindingContext context{parts.scene, none, where.textures, static_cast<int>(map)};
+  const auto pack = [&](int program, std::int32_t& index, std::vector<PackedBinding>& bindings) {
+    index = static_cast<std::int32_t>(where.programs[static_cast<std::size_t>(program)]);
+    bindings = pack_bindings(parts.programs[static_cast<std::size_t>(program)], context);
+  };
+  pack(plan.moments_program, packed.moments_program, packed.moments_bindings);
+  pack(plan.blur_program, packed.blur_program, packed.blur_bindings);
 }
 
 bool are_equal(const std::vector<PackedBinding>& a, const std::vector<PackedBinding>& b) {
@@ -348,7 +365,6 @@ void Assembler::add_scene(SceneParts& parts) {
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
-  for (const SceneShadowMap& map : scene.shadow_maps) packed->shadow_maps.push_back(pack_shadow_map(map));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
   for (const SceneProjector& projector : scene.projectors) packed->projectors.push_back(pack_viewpoint(projector.viewpoint));
 
@@ -356,6 +372,10 @@ void Assembler::add_scene(SceneParts& parts) {
   for (std::size_t i = 0; i < parts.programs.size(); ++i) programs.push_back(add_program(parts, i));
   std::vector<std::uint32_t> textures;
   for (std::size_t i = 0; i < scene.textures.size(); ++i) textures.push_back(add_texture(scene.textures[i], parts.images[i]));
+  for (std::size_t i = 0; i < scene.shadow_maps.size(); ++i) {
+    packed->shadow_maps.push_back(pack_shadow_map(scene.shadow_maps[i]));
+    pack_map_programs(parts, i, {programs, textures}, *packed->shadow_maps.back());
+  }
   const auto meshes = add_meshes(parts);
   for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
     const ShapePlan& plan = parts.shapes[i];

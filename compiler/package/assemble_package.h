@@ -31,6 +31,11 @@ struct ShapePlan {
   bool blended = false;
 };
 
+/// The programs of a shadow map that keeps moments; -1 for one that does not.
+struct MapPlan {
+  int moments_program = -1, blur_program = -1;
+};
+
 /// An effect of a library, whose scene is it alone on the built-in stage.
 struct LibraryEntry {
   /// A program for a kind of shape.
@@ -55,6 +60,7 @@ struct SceneParts {
   Scene scene;
   std::vector<std::shared_ptr<const Image>> images;  ///< By texture of the scene.
   std::vector<ShapePlan> shapes;                     ///< By shape of the scene.
+  std::vector<MapPlan> maps;                         ///< By shadow map of the scene.
   std::vector<ValidRecipe> programs;
   std::vector<std::string> program_names;  ///< By program: its recipe as text.
   std::optional<LibraryEntry> library;

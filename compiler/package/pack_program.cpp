@@ -107,6 +107,9 @@ class Binder {
   void bind_castle(std::uint32_t index, const CastleName& name);
   void bind_light(std::uint32_t index, PackedSource source, int number);
   void bind_shadow(std::uint32_t index, PackedSource source, int number);
+  void bind_own_map(std::uint32_t index, PackedSource source) {
+    if (c_.shadow_map >= 0) add(index, source, static_cast<std::uint32_t>(c_.shadow_map));
+  }
   void bind_material(std::uint32_t index, CastleSource source);
   void bind_fog(std::uint32_t index, CastleSource source);
   void bind_texture(std::uint32_t index, int texture, std::uint32_t element = 0);
@@ -132,7 +135,10 @@ class Binder {
 void Binder::bind_texture(std::uint32_t index, int texture, std::uint32_t element) {
   if (texture < 0) return;
   const int map = c_.scene.textures[static_cast<std::size_t>(texture)].shadow_map;
-  if (map >= 0) return add(index, PackedSource::shadow_map, static_cast<std::uint32_t>(map), element);
+  const bool moments = c_.scene.textures[static_cast<std::size_t>(texture)].moments;
+  if (map >= 0)
+    return add(index, moments ? PackedSource::shadow_moments : PackedSource::shadow_map, static_cast<std::uint32_t>(map),
+               element);
   const std::uint32_t packed = c_.package_textures[static_cast<std::size_t>(texture)];
   if (packed != kNothing) add(index, PackedSource::texture, packed, element);
 }
@@ -235,6 +241,11 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::light_attenuation: return bind_light(index, PackedSource::light_attenuation, name.number);
     case CastleSource::shadow_map: return bind_shadow(index, PackedSource::shadow_map, name.number);
     case CastleSource::projector_matrix: return bind_shadow(index, PackedSource::projector_matrix, name.number);
+    case CastleSource::shadow_moments: return bind_shadow(index, PackedSource::shadow_moments, name.number);
+    case CastleSource::shadow_depth_plane: return bind_shadow(index, PackedSource::shadow_depth_plane, name.number);
+    case CastleSource::shadow_depths: return bind_own_map(index, PackedSource::shadow_depths);
+    case CastleSource::shadow_depth_line: return bind_own_map(index, PackedSource::shadow_depth_line);
+    case CastleSource::shadow_unblurred: return bind_own_map(index, PackedSource::shadow_unblurred);
     case CastleSource::shadow_intensity:
       if (const SceneLight* found = light(name.number)) add(index, PackedSource::slot, found->shadow_intensity);
       return;

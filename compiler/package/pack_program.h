@@ -36,6 +36,7 @@ struct BindingContext {
   const Scene& scene;
   const SceneShape& shape;
   const std::vector<std::uint32_t>& package_textures;  ///< By texture of the scene; UINT32_MAX for none.
+  int shadow_map = -1;                                 ///< Whose texels the program is drawn over; then `shape` has nothing.
 };
 std::vector<PackedBinding> pack_bindings(const ValidRecipe& recipe, const BindingContext& context);
 

@@ -23,7 +23,7 @@
 
 namespace plugc {
 
-inline constexpr std::uint32_t kPackageVersion = 2;
+inline constexpr std::uint32_t kPackageVersion = 3;
 inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 inline constexpr std::size_t kPackageHeaderBytes = 32;
 
@@ -41,6 +41,11 @@ std::vector<std::uint8_t> write_package(const PackageT& package);
 /// Why the runtime could not trust this package, with the place ("scene 0, shape 3: ..."), or "". Part of open_package().
 /// Requires that FlatBuffers' own verifier has passed the buffer of `buffer_size` bytes that holds it.
 std::string check_package(const Package& package, std::size_t buffer_size);
+
+/// Whether maps of that method keep moments of their depths.
+constexpr bool keeps_moments(PackedShadowMethod method) {
+  return method >= PackedShadowMethod::vsm;
+}
 
 /// What a shape is drawn with in one of its states. Points into the package.
 struct ShapePrograms {

@@ -95,6 +95,9 @@ bool check_mesh(PackageCheck& check, const PackedMesh& mesh, const Place& place)
 bool check_image(PackageCheck& check, const PackedImage& image, const Place& place);
 bool check_texture(PackageCheck& check, const PackedTexture& texture, const Place& place);
 bool check_scene(PackageCheck& check, const PackedScene& scene, const Place& place);
+/// Of one program: -1 for none, which nothing may feed. `word` names a binding.
+bool check_bindings(SceneCheck& scene, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
+                    std::int32_t program, const Place& place);
 bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place);
 
 }  // namespace plugc

@@ -50,11 +50,26 @@ bool check_shadow_map(SceneCheck& scene, const PackedShadowMap& map, const Place
   if (map.size() < 1 || map.size() > kMaxShadowMapSide)
     return check.fail(place, fmt::format("its size {} is out of range", map.size()));
   if (!is_enumerator(map.update())) return check.fail(place, "its update mode is unknown");
+  if (!is_enumerator(map.method())) return check.fail(place, "its method is unknown");
+  if (keeps_moments(map.method()) && map.size() > kMaxMomentMapSide)
+    return check.fail(place, fmt::format("its size {} is out of range for moments", map.size()));
   return check.require_index(place, "light", map.light(), scene.scene.lights()->size()) &&
          scene.slot(place, "scale", map.scale(), 1) && scene.slot(place, "bias", map.bias(), 1) &&
          scene.slot(place, "near", map.near(), 1) && scene.slot(place, "far", map.far(), 1) &&
          scene.slot(place, "up", map.up(), 3) && scene.slot(place, "angle", map.angle(), 1) &&
          scene.slot(place, "rectangle", map.rectangle(), 4) && scene.slot(place, "location", map.location(), 3);
+}
+
+/// A map that keeps moments has the programs that make them, and no other map has any.
+bool check_map_programs(SceneCheck& scene, const PackedShadowMap& map, const Place& place) {
+  PackageCheck& check = scene.check;
+  const std::size_t count = check.package.programs()->size();
+  for (const std::int32_t program : {map.moments_program(), map.blur_program()}) {
+    if ((program >= 0) != keeps_moments(map.method()) || !is_index_or_none(program, count))
+      return check.fail(place, fmt::format("program {} does not fit its method", program));
+  }
+  return check_bindings(scene, "moments binding", *map.moments_bindings(), map.moments_program(), place) &&
+         check_bindings(scene, "blur binding", *map.blur_bindings(), map.blur_program(), place);
 }
 
 bool check_texture_transform(SceneCheck& scene, const PackedTextureTransform& transform, const Place& place) {
@@ -81,7 +96,9 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          check.each(&place, "light", *packed.lights(),
                     [&](const PackedLight* light, const Place& at) { return check_light(scene, *light, at); }) &&
          check.each(&place, "shadow map", *packed.shadow_maps(),
-                    [&](const PackedShadowMap* map, const Place& at) { return check_shadow_map(scene, *map, at); }) &&
+                    [&](const PackedShadowMap* map, const Place& at) {
+                      return check_shadow_map(scene, *map, at) && check_map_programs(scene, *map, at);
+                    }) &&
          check.each(&place, "texture transform", *packed.texture_transforms(),
                     [&](const PackedTextureTransform* transform, const Place& at) {
                       return check_texture_transform(scene, *transform, at);

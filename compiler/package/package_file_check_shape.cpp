@@ -28,8 +28,13 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::viewpoint_projector_matrix:
       return check.require_index(place, "projector", binding.a(), scene.scene.projectors()->size());
     case PackedSource::shadow_map:
+    case PackedSource::shadow_moments:
+    case PackedSource::shadow_depths:
+    case PackedSource::shadow_unblurred:
       return check.require_index(place, "shadow map", binding.a(), scene.scene.shadow_maps()->size()) &&
              check.require_index(place, "element", binding.b(), uniform.count());
+    case PackedSource::shadow_depth_plane:
+    case PackedSource::shadow_depth_line:
     case PackedSource::projector_matrix:
     case PackedSource::light_view_projection_matrix:
       return check.require_index(place, "shadow map", binding.a(), scene.scene.shadow_maps()->size());
@@ -55,24 +60,32 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
   return check.fail(place, "its source is unknown");
 }
 
+bool feeds_sampler(PackedSource source) {
+  return source == PackedSource::texture || source == PackedSource::shadow_map || source == PackedSource::shadow_moments ||
+         source == PackedSource::shadow_depths || source == PackedSource::shadow_unblurred;
+}
+
 bool check_binding(SceneCheck& scene, const PackedBinding& binding, const PackedProgram& program, const Place& place) {
   if (!scene.check.require_index(place, "uniform", binding.uniform(), program.uniforms()->size())) return false;
   const PackedUniform& uniform = *program.uniforms()->Get(binding.uniform());
-  const bool feeds_sampler = binding.source() == PackedSource::texture || binding.source() == PackedSource::shadow_map;
-  if (feeds_sampler != (component_count(uniform.type()) == 0)) {
+  if (feeds_sampler(binding.source()) != (component_count(uniform.type()) == 0)) {
     return scene.check.fail(place, fmt::format("its source does not fit the uniform `{}`", uniform.name()->string_view()));
   }
   return check_operands(scene, binding, uniform, place);
 }
 
+}  // namespace
+
 bool check_bindings(SceneCheck& scene, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
                     std::int32_t program, const Place& place) {
   const auto& programs = *scene.check.package.programs();
   return scene.check.each(&place, word, bindings, [&](const PackedBinding* binding, const Place& at) {
-    if (program < 0) return scene.check.fail(at, "the shape has no depth program");
+    if (program < 0) return scene.check.fail(at, "there is no program that it could feed");
     return check_binding(scene, *binding, *programs.Get(static_cast<std::uint32_t>(program)), at);
   });
 }
+
+namespace {
 
 bool check_programs(SceneCheck& scene, const ShapePrograms& use, const Place& place) {
   PackageCheck& check = scene.check;

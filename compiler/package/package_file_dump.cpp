@@ -170,24 +170,31 @@ void dump_light(Text& text, const PackedLight& light, std::size_t index) {
        slot(light.radius()), slot(light.cut_off_angle()), slot(light.beam_width()));
 }
 
-void dump_shadow_map(Text& text, const PackedShadowMap& map, std::size_t index) {
-  line(text, "  shadow map {}: light {}, size {}, update {}{}", index, map.light(), map.size(),
-       EnumNamePackedShadowUpdate(map.update()), map.author_visible() ? ", seen by authors" : "");
-  line(text, "    slots: scale {}, bias {}, near {}, far {}, up {}, angle {}, rectangle {}, location {}", slot(map.scale()),
-       slot(map.bias()), slot(map.near()), slot(map.far()), slot(map.up()), slot(map.angle()), slot(map.rectangle()),
-       slot(map.location()));
-}
-
-void dump_texture_transform(Text& text, const PackedTextureTransform& transform, std::size_t index) {
-  line(text, "  texture transform {}: slots: translation {}, rotation {}, scale {}, center {}", index,
-       slot(transform.translation()), slot(transform.rotation()), slot(transform.scale()), slot(transform.center()));
-}
-
 void dump_bindings(Text& text, const flatbuffers::Vector<const PackedBinding*>& bindings, const PackedProgram& program) {
   for (const auto* binding : bindings) {
     line(text, "      {} = {} a {} b {} scale {}", program.uniforms()->Get(binding->uniform())->name()->string_view(),
          EnumNamePackedSource(binding->source()), slot(binding->a()), slot(binding->b()), binding->scale());
   }
+}
+
+void dump_shadow_map(Text& text, const Package& package, const PackedShadowMap& map, std::size_t index) {
+  line(text, "  shadow map {}: light {}, size {}, update {}, method {}{}{}{}", index, map.light(), map.size(),
+       EnumNamePackedShadowUpdate(map.update()), EnumNamePackedShadowMethod(map.method()),
+       map.scale_written() ? ", scale written" : "", map.bias_written() ? ", bias written" : "",
+       map.author_visible() ? ", seen by authors" : "");
+  line(text, "    slots: scale {}, bias {}, near {}, far {}, up {}, angle {}, rectangle {}, location {}", slot(map.scale()),
+       slot(map.bias()), slot(map.near()), slot(map.far()), slot(map.up()), slot(map.angle()), slot(map.rectangle()),
+       slot(map.location()));
+  if (map.moments_program() < 0) return;
+  line(text, "    moments program {}", map.moments_program());
+  dump_bindings(text, *map.moments_bindings(), *package.programs()->Get(static_cast<std::uint32_t>(map.moments_program())));
+  line(text, "    blur program {}", map.blur_program());
+  dump_bindings(text, *map.blur_bindings(), *package.programs()->Get(static_cast<std::uint32_t>(map.blur_program())));
+}
+
+void dump_texture_transform(Text& text, const PackedTextureTransform& transform, std::size_t index) {
+  line(text, "  texture transform {}: slots: translation {}, rotation {}, scale {}, center {}", index,
+       slot(transform.translation()), slot(transform.rotation()), slot(transform.scale()), slot(transform.center()));
 }
 
 void dump_programs(Text& text, const Package& package, const ShapePrograms& use) {
@@ -243,7 +250,7 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   dump_slots(text, scene);
   each(*scene.transforms(), [&](const PackedTransform& transform, std::size_t i) { dump_transform(text, transform, i); });
   each(*scene.lights(), [&](const PackedLight& light, std::size_t i) { dump_light(text, light, i); });
-  each(*scene.shadow_maps(), [&](const PackedShadowMap& map, std::size_t i) { dump_shadow_map(text, map, i); });
+  each(*scene.shadow_maps(), [&](const PackedShadowMap& map, std::size_t i) { dump_shadow_map(text, package, map, i); });
   each(*scene.texture_transforms(),
        [&](const PackedTextureTransform& transform, std::size_t i) { dump_texture_transform(text, transform, i); });
   each(*scene.shapes(), [&](const PackedShape& shape, std::size_t i) { dump_shape(text, package, shape, i); });

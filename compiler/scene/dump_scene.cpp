@@ -57,6 +57,11 @@ std::string dump_scene(const Scene& scene) {
                         light.label, light.shadow_map >= 0 ? fmt::format(" shadow map {}", light.shadow_map) : "",
                         light.transform, indices(light.effects));
   }
+  for (std::size_t i = 0; i < scene.shadow_maps.size(); ++i) {
+    const SceneShadowMap& map = scene.shadow_maps[i];
+    text += fmt::format("shadow map {} light {} {} size {}{}{}\n", i, map.light, to_text(map.method), map.size,
+                        map.scale_written ? " scale" : "", map.bias_written ? " bias" : "");
+  }
   for (std::size_t i = 0; i < scene.fogs.size(); ++i) {
     const SceneFog& fog = scene.fogs[i];
     text += fmt::format("fog {} {} transform {}\n", i, kFogKinds[static_cast<std::size_t>(fog.kind)], fog.transform);

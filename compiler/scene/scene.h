@@ -12,6 +12,7 @@
 #include "base/diagnostics.h"
 #include "base/file_access.h"
 #include "scene/node_graph.h"
+#include "scene/shadow_method.h"
 
 namespace plugc {
 
@@ -95,6 +96,7 @@ struct SceneTexture {
   TextureFilter minification = TextureFilter::linear_mipmap_linear, magnification = TextureFilter::linear;
   VertexCoord default_coord = VertexCoord::own;  ///< Where the geometry says nothing.
   int shadow_map = -1;                           ///< Of a GeneratedShadowMap: what it reads.
+  bool moments = false;                          ///< Of the same: the moments of depth, as a picture.
   std::vector<int> effects;
 };
 
@@ -204,6 +206,8 @@ struct SceneShadowMap {
   int light = -1;
   std::uint32_t size = 256;
   ShadowUpdate update = ShadowUpdate::always;
+  ShadowMethod method = kDefaultShadowMethod;
+  bool scale_written = false, bias_written = false;  ///< By the scene or a ROUTE; else they follow the method.
   std::uint32_t scale = kSceneNoSlot, bias = kSceneNoSlot, near = kSceneNoSlot, far = kSceneNoSlot, up = kSceneNoSlot;
   std::uint32_t angle = kSceneNoSlot, rectangle = kSceneNoSlot, location = kSceneNoSlot;
   bool author_visible = false;  ///< Not only the renderer's own code sees its depths or its projection.
@@ -311,6 +315,7 @@ struct SceneOptions {
   bool all_branches = false;
   NodeId alone = {};  ///< Only this effect, on the appended stage of library_stage.h; the rest of the graph takes no part.
   std::vector<std::string> dynamic = {};  ///< `DEF.field`: fields that the host may change, besides those that a ROUTE writes.
+  ShadowDefaults shadows = {};
 };
 Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files, const SceneOptions& options,
                   Diagnostics& diagnostics);

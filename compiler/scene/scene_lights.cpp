@@ -70,6 +70,23 @@ bool can_have_map(SceneContext& context, const SceneLight& light) {
   return false;
 }
 
+/// Whether the field of a map has a value that somebody chose.
+bool is_chosen(SceneContext& context, NodeId map, std::string_view field) {
+  return context.graph.is_written(map, field) || context.slots.may_change(map, field);
+}
+
+std::uint32_t read_size(SceneContext& context, NodeId written) {
+  const std::uint32_t wanted = context.options.shadows.size;
+  if (wanted != 0 && !context.graph.is_written(written, "size")) return wanted;
+  const int size = context.graph.integer(written, "size");
+  const auto usable = static_cast<std::uint32_t>(std::clamp(size, 1, static_cast<int>(kMaxShadowMapSide)));
+  if (size > static_cast<int>(usable)) {
+    context.diagnostics.report(DiagnosticId::field_range, context.graph.field_span(written, "size"),
+                               fmt::format("a shadow map of size {} cannot be; {} is used", size, usable));
+  }
+  return usable;
+}
+
 /// What a GeneratedShadowMap node says; false when such a map is never drawn.
 bool read_written_map(SceneContext& context, NodeId written, SceneShadowMap& map) {
   const NodeGraph& graph = context.graph;
@@ -78,15 +95,24 @@ bool read_written_map(SceneContext& context, NodeId written, SceneShadowMap& map
     if (graph.string(written, "update") == "NONE") report_never_drawn(context, written);
     return false;
   }
-  const int size = graph.integer(written, "size");
-  map.size = static_cast<std::uint32_t>(std::clamp(size, 1, static_cast<int>(kMaxShadowMapSide)));
-  if (size > static_cast<int>(map.size)) {
-    context.diagnostics.report(DiagnosticId::field_range, graph.field_span(written, "size"),
-                               fmt::format("a shadow map of size {} cannot be; {} is used", size, map.size));
-  }
-  map.scale = context.slots.slot(written, "scale");
-  map.bias = context.slots.slot(written, "bias");
+  map.size = read_size(context, written);
+  map.method = shadow_method_named(graph.string(written, "method")).value_or(map.method);
+  map.scale_written = is_chosen(context, written, "scale");
+  map.bias_written = is_chosen(context, written, "bias");
+  if (map.scale_written) map.scale = context.slots.slot(written, "scale");
+  if (map.bias_written) map.bias = context.slots.slot(written, "bias");
   return true;
+}
+
+/// A map of moments is not as large as one of depths may be. `written` may be no node.
+void limit_moment_map(SceneContext& context, NodeId written, SceneShadowMap& map) {
+  if (!keeps_moments(map.method) || map.size <= kMaxMomentMapSide) return;
+  if (written.valid() && context.graph.is_written(written, "size")) {
+    context.diagnostics.report(DiagnosticId::field_range, context.graph.field_span(written, "size"),
+                               fmt::format("a shadow map of size {} cannot hold moments (method {}); {} is used", map.size,
+                                           to_text(map.method), kMaxMomentMapSide));
+  }
+  map.size = kMaxMomentMapSide;
 }
 
 /// The map of a light as `written` says, or as nobody says; its index, or -1.
@@ -95,8 +121,12 @@ int add_shadow_map(SceneContext& context, int light_index, NodeId written) {
   if (!can_have_map(context, light)) return -1;
   SceneShadowMap map;
   map.light = light_index;
-  map.scale = map.bias = context.slots.constant(SlotType::float_, {4.0});
+  map.method = context.options.shadows.method;
+  if (context.options.shadows.size != 0) map.size = context.options.shadows.size;
   if (written.valid() && !read_written_map(context, written, map)) return -1;
+  limit_moment_map(context, written, map);
+  if (!map.scale_written) map.scale = context.slots.constant(SlotType::float_, {automatic_slope_scale(map.method)});
+  if (!map.bias_written) map.bias = context.slots.constant(SlotType::float_, {kAutomaticDepthBias});
   check_projection(context, light);
   read_projection(context, light, map);
   context.scene.shadow_maps.push_back(map);
@@ -206,7 +236,10 @@ int shadow_map_of_node(SceneContext& context, NodeId map, int index) {
 int projection_of_light(SceneContext& context, int index) {
   if (const int map = context.scene.lights[static_cast<std::size_t>(index)].shadow_map; map >= 0) return map;
   const int map = add_shadow_map(context, index, {});
-  if (map >= 0) context.scene.shadow_maps[static_cast<std::size_t>(map)].update = ShadowUpdate::none;
+  if (map < 0) return map;
+  SceneShadowMap& made = context.scene.shadow_maps[static_cast<std::size_t>(map)];
+  made.update = ShadowUpdate::none;
+  made.method = kDefaultShadowMethod;  // it has no texels
   return map;
 }
 

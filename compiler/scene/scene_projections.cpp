@@ -57,6 +57,16 @@ void move_maps_into_lights(Scene& scene, SceneShape& shape) {
   });
 }
 
+/// With the method `vsm` an author reads the two moments, with any other the depths.
+void show_moments(Scene& scene) {
+  for (SceneTexture& texture : scene.textures) {
+    if (texture.shadow_map < 0 || texture.kind != TextureKind::shadow_2d) continue;
+    if (scene.shadow_maps[static_cast<std::size_t>(texture.shadow_map)].method != ShadowMethod::vsm) continue;
+    texture.kind = TextureKind::image_2d;
+    texture.moments = true;
+  }
+}
+
 }  // namespace
 
 int projector_index(SceneContext& context, NodeId node) {
@@ -80,6 +90,7 @@ void finish_projections(SceneContext& context) {
     scene.projectors[static_cast<std::size_t>(index)] = std::move(projector);
   }
   for (SceneShape& shape : scene.shapes) move_maps_into_lights(scene, shape);
+  show_moments(scene);
 }
 
 }  // namespace plugc

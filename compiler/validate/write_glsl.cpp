@@ -3,6 +3,8 @@
 
 #include <spirv_cross/spirv_glsl.hpp>
 
+#include <utility>
+
 #include "validate/optimize.h"
 
 namespace plugc {
@@ -18,10 +20,25 @@ spirv_cross::CompilerGLSL::Options options_for(Target target) {
   return options;
 }
 
+/// Gathers that compare are known to SPIRV-Cross in GLSL 4.00 only; 3.30 has them by an extension.
+class GatheringWriter : public spirv_cross::CompilerGLSL {
+ public:
+  using CompilerGLSL::CompilerGLSL;
+
+ protected:
+  void emit_texture_op(const spirv_cross::Instruction& instruction, bool sparse) override {
+    if (instruction.op != spv::OpImageDrefGather || options.es) return CompilerGLSL::emit_texture_op(instruction, sparse);
+    const auto version = std::exchange(options.version, 400);
+    require_extension_internal("GL_ARB_gpu_shader5");
+    CompilerGLSL::emit_texture_op(instruction, sparse);
+    options.version = version;
+  }
+};
+
 }  // namespace
 
 std::string write_glsl(const SpirvStage& stage, Target target, const std::set<std::string>& unnumbered) {
-  spirv_cross::CompilerGLSL writer(stage.words);
+  GatheringWriter writer(stage.words);
   writer.set_common_options(options_for(target));
   for (const auto id : writer.get_active_interface_variables()) {
     if (unnumbered.contains(writer.get_name(id))) writer.unset_decoration(id, spv::DecorationLocation);

@@ -48,6 +48,11 @@ Mesh upload_mesh(const Functions& gl, const PackedMesh& packed) {
   return mesh;
 }
 
+void draw_whole(const Functions& gl, const VertexArray& empty) {
+  gl.BindVertexArray(empty.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 void draw_mesh(const Functions& gl, const Mesh& mesh) {
   gl.BindVertexArray(mesh.vertex_array.id());
   gl.DrawElements(mesh.topology, mesh.index_count, GL_UNSIGNED_INT, nullptr);

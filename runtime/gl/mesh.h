@@ -15,6 +15,9 @@ struct Mesh {
 };
 
 Mesh upload_mesh(const Functions& gl, const PackedMesh& mesh);
+/// Three vertices without attributes: the vertex stage makes of gl_VertexID a triangle over the whole target.
+void draw_whole(const Functions& gl, const VertexArray& empty);
+
 void draw_mesh(const Functions& gl, const Mesh& mesh);
 
 }  // namespace plugc::gl

@@ -79,6 +79,14 @@ void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
+void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  gl.Viewport(0, 0, size, size);
+  set_draw_state(gl, DrawState{});
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
 void set_draw_state(const Functions& gl, const DrawState& state) {
   set_enabled(gl, GL_BLEND, state.blended);
   gl.DepthMask(state.blended ? GL_FALSE : GL_TRUE);

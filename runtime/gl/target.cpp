@@ -68,6 +68,13 @@ Framebuffer make_depth_target(const Functions& gl, const Texture& texture) {
   return framebuffer;
 }
 
+Framebuffer make_float_target(const Functions& gl, const Texture& texture) {
+  Framebuffer framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+  return framebuffer;
+}
+
 GLsizei max_target_side(const Functions& gl) {
   GLint texture = 0;
   GLint renderbuffer = 0;

@@ -27,6 +27,9 @@ void resolve(const Functions& gl, const ColorTarget& target);
 /// A framebuffer whose depth is `texture` and that has no colour.
 Framebuffer make_depth_target(const Functions& gl, const Texture& texture);
 
+/// A framebuffer whose colour is `texture` and that has no depth.
+Framebuffer make_float_target(const Functions& gl, const Texture& texture);
+
 GLsizei max_target_side(const Functions& gl);
 
 /// RGBA, 8 bits, rows from the bottom up. The target must be bound.

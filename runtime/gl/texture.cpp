@@ -98,10 +98,10 @@ void allocate_depth(const Functions& gl, GLenum target, GLsizei size, bool rever
   }
 }
 
-Texture make_compared_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed, const void* data) {
+Texture make_compared_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed, GLint filter, const void* data) {
   Texture texture = begin_texture(gl, target);
   allocate_depth(gl, target, size, reversed, data);
-  set_filters(gl, target, GL_LINEAR, GL_LINEAR);
+  set_filters(gl, target, filter, filter);
   const GLint wrap = target == GL_TEXTURE_2D ? GL_CLAMP_TO_BORDER : GL_CLAMP_TO_EDGE;
   set_wrap(gl, target, wrap, wrap, wrap);
   const GLfloat far = reversed ? 0 : 1;
@@ -148,22 +148,43 @@ Texture make_white_texture(const Functions& gl, GLenum target) {
   return texture;
 }
 
-Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed) {
-  return make_compared_texture(gl, target, size, reversed, nullptr);
+Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed, GLint filter) {
+  return make_compared_texture(gl, target, size, reversed, filter, nullptr);
 }
 
 Texture make_lit_texture(const Functions& gl, GLenum target, bool reversed) {
-  return make_compared_texture(gl, target, 1, reversed, reversed ? kReversedFar.data() : kFar.data());
+  return make_compared_texture(gl, target, 1, reversed, GL_LINEAR, reversed ? kReversedFar.data() : kFar.data());
 }
 
-Sampler make_depth_picture_sampler(const Functions& gl) {
+Texture make_float_texture(const Functions& gl, GLsizei size, bool two_channels) {
+  Texture texture = begin_texture(gl, GL_TEXTURE_2D);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, two_channels ? GL_RG32F : GL_RGBA32F, size, size, 0, two_channels ? GL_RG : GL_RGBA, GL_FLOAT,
+                nullptr);
+  set_filters(gl, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
+  set_wrap(gl, GL_TEXTURE_2D, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+namespace {
+
+Sampler make_depth_sampler(const Functions& gl, GLint filter) {
   Sampler sampler = generate<Sampler>(gl, gl.GenSamplers);
   gl.SamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, filter);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, filter);
   gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   return sampler;
+}
+
+}  // namespace
+
+Sampler make_depth_texel_sampler(const Functions& gl) {
+  return make_depth_sampler(gl, GL_NEAREST);
+}
+
+Sampler make_depth_picture_sampler(const Functions& gl) {
+  return make_depth_sampler(gl, GL_LINEAR);
 }
 
 void bind_texture(const Functions& gl, GLint unit, GLenum target, GLuint texture, GLuint sampler) {

@@ -19,12 +19,18 @@ Texture upload_texture(const Functions& gl, const PackedTexture& texture, const 
 /// One white texel, for samplers that nothing feeds.
 Texture make_white_texture(const Functions& gl, GLenum target);
 
-/// A square depth texture that compares (2x2 by the hardware), and is lit outside its border. `target` 2D or cube. `reversed`:
-/// what is stored falls from 1 (near) to 0 (far), and who reads it keeps what it compares at 0 or above.
-Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed);
+/// A square depth texture that compares the nearest texel (`filter` GL_NEAREST) or 2x2 by the hardware (GL_LINEAR), and is lit
+/// outside its border. `target` 2D or cube. `reversed`: what is stored falls from 1 (near) to 0 (far), and who reads it keeps
+/// what it compares at 0 or above.
+Texture make_depth_texture(const Functions& gl, GLenum target, GLsizei size, bool reversed, GLint filter);
 /// One texel at the far plane: shadows nothing.
 Texture make_lit_texture(const Functions& gl, GLenum target, bool reversed);
 
+/// A square texture of 32-bit floats, of two or of four channels, filtered, its edge repeated outside.
+Texture make_float_texture(const Functions& gl, GLsizei size, bool two_channels);
+
+/// Reads a depth texture as it is stored, texel by texel.
+Sampler make_depth_texel_sampler(const Functions& gl);
 /// Reads a depth texture as a grey picture: no comparison.
 Sampler make_depth_picture_sampler(const Functions& gl);
 

@@ -14,6 +14,7 @@
 
 #include "conformance/case_file.h"
 #include "image/write_png.h"
+#include "scene/shadow_defaults.h"
 #include "support/compile_text.h"
 #include "support/draw_package.h"
 
@@ -99,6 +100,7 @@ CompileOptions read_options(const CaseFile& file) {
     if (word == "library") options.library = true;
     if (word == "optimize") options.optimize = true;
     if (word == "stage") options.stage = value;
+    if (word == "shadows") options.shadows = read_shadow_defaults(value).shadows;
     if (word == "dynamic") options.dynamic.push_back(value);
     if (word == "target") targets.push_back(target_named(value).value());
   }

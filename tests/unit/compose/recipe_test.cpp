@@ -108,8 +108,10 @@ TEST_F(RecipeTest, LightsPerFragmentWhereAShadowFalls) {
   EXPECT_TRUE(make().gouraud);
   shape_.receives = {0};
   scene_.lights[0].shadow_intensity = slot({1});
+  scene_.lights[0].shadow_map = 0;
+  scene_.shadow_maps.resize(1);
   EXPECT_FALSE(make().gouraud);
-  EXPECT_EQ(text(), "phong lit; light spot shadow");
+  EXPECT_EQ(text(), "phong lit; light spot shadow bilinear");
 }
 
 TEST_F(RecipeTest, MovesCastersAsTheirVertexEffectsDo) {

@@ -92,8 +92,8 @@ TEST(PackageFile, SaysWhatIsWrongWithAHeader) {
   bytes[0] = 'B';
   EXPECT_EQ(error_of(bytes), "is no plugc package");
   bytes = good;
-  bytes[8] = 3;
-  EXPECT_EQ(error_of(bytes), "is version 3, this plugc reads version 2");
+  bytes[8] = 99;
+  EXPECT_EQ(error_of(bytes), "is version 99, this plugc reads version 3");
   bytes = good;
   bytes[12] = 1;
   EXPECT_EQ(error_of(bytes), "header is damaged");
@@ -205,6 +205,29 @@ TEST(PackageFile, ChecksLightsAndShadowMaps) {
             "scene 0, shadow map 0: light 1 does not exist, there are 1");
   EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shadow_maps[0]->size = 0; }),
             "scene 0, shadow map 0: its size 0 is out of range");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shadow_maps[0]->method = PackedShadowMethod{99}; }),
+            "scene 0, shadow map 0: its method is unknown");
+}
+
+TEST(PackageFile, ChecksThatMapsHaveTheProgramsOfTheirMethod) {
+  const auto after = [](PackedShadowMethod method, std::int32_t moments, std::int32_t blur, std::uint32_t size = 512) {
+    return error_after([&](PackageT& p) {
+      PackedShadowMapT& map = *p.scenes[0]->shadow_maps[0];
+      map.method = method;
+      map.moments_program = moments;
+      map.blur_program = blur;
+      map.size = size;
+    });
+  };
+  EXPECT_EQ(after(PackedShadowMethod::vsm, 0, 1), "");
+  EXPECT_EQ(after(PackedShadowMethod::vsm, 0, -1), "scene 0, shadow map 0: program -1 does not fit its method");
+  EXPECT_EQ(after(PackedShadowMethod::vsm, 2, 1), "scene 0, shadow map 0: program 2 does not fit its method");
+  EXPECT_EQ(after(PackedShadowMethod::pcf3, 0, 1), "scene 0, shadow map 0: program 0 does not fit its method");
+  EXPECT_EQ(after(PackedShadowMethod::msm, 0, 1, 8192), "scene 0, shadow map 0: its size 8192 is out of range for moments");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->shadow_maps[0]->blur_bindings.emplace_back(0, 0, 0, 1.0F, PackedSource::shadow_unblurred);
+            }),
+            "scene 0, shadow map 0, blur binding 0: there is no program that it could feed");
 }
 
 TEST(PackageFile, ChecksShapes) {
@@ -215,7 +238,7 @@ TEST(PackageFile, ChecksShapes) {
   EXPECT_EQ(after([](PackedShapeT& s) { s.program = 2; }), "scene 0, shape 0: program 2 does not exist, there are 2");
   EXPECT_EQ(after([](PackedShapeT& s) { s.depth_program = -2; }), "scene 0, shape 0: depth program -2 does not exist");
   EXPECT_EQ(after([](PackedShapeT& s) { s.depth_program = -1; }),
-            "scene 0, shape 0, depth binding 0: the shape has no depth program");
+            "scene 0, shape 0, depth binding 0: there is no program that it could feed");
   EXPECT_EQ(after([](PackedShapeT& s) { s.receives = {1}; }),
             "scene 0, shape 0, receives 0: shadow map 1 does not exist, there are 1");
 }
@@ -258,7 +281,7 @@ TEST(PackageFile, ChecksVariantsAsItDoesShapes) {
             }),
             "scene 0, shape 0, variant 0, binding 0: uniform 3 does not exist, there are 3");
   EXPECT_EQ(after([](PackedVariantT& v) { v.depth_bindings = v.bindings; }),
-            "scene 0, shape 0, variant 0, depth binding 0: the shape has no depth program");
+            "scene 0, shape 0, variant 0, depth binding 0: there is no program that it could feed");
 }
 
 TEST(PackageFile, ChecksEffectsOfALibrary) {

@@ -273,6 +273,33 @@ TEST(CommandLine, ADamagedPackageIsRefused) {
   EXPECT_THAT(run.err, HasSubstr("damaged.plugpack: content hash differs"));
 }
 
+TEST(CommandLine, AShadowMethodIsAWordAndPerhapsASize) {
+  const SceneFolder folder;
+  folder.write("fine.x3dv", kFine);
+  EXPECT_EQ(run_plugc(folder, "lint fine.x3dv --shadows pcf3,512").status, 0);
+  const std::pair<std::string_view, std::string_view> wrong[] = {
+      {"bilinaer", "there is no method `bilinaer`; did you mean `bilinear`?"},
+      {"soft", "there is no method `soft`; there are hard, bilinear, "},
+      {"pcf3,0", "`0` is no size of a shadow map; write a whole number from 1 to 8192"},
+      {"pcf3,", "`` is no size of a shadow map"}};
+  for (const auto& [shadows, message] : wrong) {
+    const Ended run = run_plugc(folder, fmt::format("lint fine.x3dv --shadows {}", shadows));
+    EXPECT_EQ(run.status, 2) << shadows;
+    EXPECT_THAT(run.out + run.err, HasSubstr(message));
+  }
+}
+
+TEST(CommandLine, AShadowMethodCannotChangeAPackage) {
+  const SceneFolder folder;
+  folder.write("fine.x3dv", kFine);
+  run_plugc(folder, "build fine.x3dv -o fine.plugpack");
+  for (const std::string_view verb : {"preview fine.plugpack -o fine.png", "inspect fine.plugpack"}) {
+    const Ended run = run_plugc(folder, fmt::format("{} --shadows pcf3", verb));
+    EXPECT_EQ(run.status, 2) << verb;
+    EXPECT_THAT(run.err, HasSubstr("`--shadows` is decided when a package is built"));
+  }
+}
+
 TEST(CommandLine, InspectWritesTheSceneInEachEncoding) {
   const SceneFolder folder;
   folder.write("fine.x3dv", kFine);

@@ -1,0 +1,35 @@
+// The mean of 16 bilinear look-ups, spread over a disc so that none is near another, and turned by another angle in every pixel:
+// where equal look-ups would show bands, there is noise. The angle is a hash of the pixel's place on the screen, so nothing moves
+// while the camera stands still.
+uniform sampler2DShadow castle_shadow_map_N;
+
+// In texels: with the bilinear filter's own width, about what 3 x 3 look-ups cover.
+const float disc_radius_N = 1.5;
+// In a disc of radius 1, no two nearer than 0.4.
+const vec2 disc_N[16] = vec2[16](
+  vec2(-0.800, -0.427), vec2(-0.365, -0.345), vec2(-0.245, -0.837), vec2(0.081, -0.597),
+  vec2(0.037, -0.189), vec2(0.385, -0.885), vec2(0.537, -0.307), vec2(0.972, -0.147),
+  vec2(0.438, 0.175), vec2(0.703, 0.591), vec2(0.301, 0.743), vec2(-0.003, 0.419),
+  vec2(-0.032, 0.978), vec2(-0.463, 0.776), vec2(-0.329, 0.081), vec2(-0.766, 0.149));
+
+// From 0 to 2 pi.
+float pixel_angle_N()
+{
+  uvec2 pixel = uvec2(gl_FragCoord.xy);
+  uint hash = pixel.x * 0x9E3779B1u + pixel.y * 0x85EBCA77u;
+  hash = (hash ^ (hash >> 15)) * 0x2C1B3C6Du;
+  return float((hash ^ (hash >> 12)) & 0xFFFFu) * (6.2831853 / 65536.0);
+}
+
+void PLUG_light_scale(inout float light_scale, const in vec3 normal_eye, const in vec3 light_dir)
+{
+  vec3 map_coord = shadow_coord_N();
+  vec2 reach = disc_radius_N / vec2(textureSize(castle_shadow_map_N, 0));
+  float angle = pixel_angle_N();
+  float c = cos(angle), s = sin(angle);
+  mat2 turn = mat2(c, s, -s, c);
+  float sum = 0.0;
+  for (int i = 0; i < 16; ++i)
+    sum += texture(castle_shadow_map_N, vec3(map_coord.st + reach * (turn * disc_N[i]), map_coord.p));
+  light_scale *= sum / 16.0;
+}
