@@ -30,7 +30,8 @@ DecodedImage decode_by_content(std::string_view bytes, ImageDetail detail) {
   }
   if (bytes.starts_with(kJpegSignature)) return decode_jpeg(bytes, detail);
   if (bytes.starts_with(kDdsSignature)) return decode_dds(bytes);
-  return {{}, "it is none of PNG, JPEG and DDS; convert it to one of them"};
+  if (is_tga(bytes)) return decode_tga(bytes);
+  return {{}, "it is none of PNG, JPEG, DDS and TGA; convert it to one of them"};
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ std::optional<Image> scan_png(std::string_view bytes);
 DecodedImage decode_jpeg(std::string_view bytes, ImageDetail detail);
 /// Pictures, volumes and cube maps in DirectDraw surfaces of 8 bits a channel. Mipmaps are passed over.
 DecodedImage decode_dds(std::string_view bytes);
+/// Whether the bytes may be a TGA picture of a kind that is read: the format has no signature, so all others are asked first.
+bool is_tga(std::string_view bytes);
+DecodedImage decode_tga(std::string_view bytes);
 
 /// Why an image of this size must not be allocated for a file of `file_bytes`, or "". No encoder packs pixels so tightly
 /// that a few bytes could stand for gigabytes, so a file that says so is broken or hostile.

@@ -136,10 +136,52 @@ TEST(Dds, WhatItCannotHoldIsReported) {
   EXPECT_THAT(with_byte(113, 2), ElementsAre(prefix + "its cube map lacks faces; it needs all six"));
 }
 
+/// The header of a TGA picture of 2 x 2 pixels: its type, bits a pixel, and descriptor (0x20: rows from the top down).
+std::string tga(char type, char bits, char descriptor, std::string_view pixels) {
+  std::string file(18, '\0');
+  file[2] = type;
+  file[12] = file[14] = 2;
+  file[16] = bits;
+  file[17] = descriptor;
+  return file + std::string(pixels);
+}
+
+TEST(Tga, HasItsChannelsInOrderAndItsRowsFromTheBottomUp) {
+  using namespace std::string_view_literals;
+  const Decoded plain = decode(tga(2, 24, 0, "\1\2\3\4\5\6\7\10\11\12\13\14"sv));
+  ASSERT_TRUE(plain.image) << plain.messages.front();
+  EXPECT_THAT(plain.image->pixels, ElementsAre(3, 2, 1, 6, 5, 4, 9, 8, 7, 12, 11, 10));
+  const Decoded from_top = decode(tga(3, 8, 0x20, "\1\2\3\4"sv));
+  ASSERT_TRUE(from_top.image);
+  EXPECT_THAT(from_top.image->pixels, ElementsAre(3, 4, 1, 2));
+  const Decoded from_right = decode(tga(3, 8, 0x10, "\1\2\3\4"sv));
+  ASSERT_TRUE(from_right.image);
+  EXPECT_THAT(from_right.image->pixels, ElementsAre(2, 1, 4, 3));
+}
+
+TEST(Tga, IsUnpacked) {
+  using namespace std::string_view_literals;
+  const Decoded decoded = decode(tga(10, 32, 8, "\x82\1\2\3\4\0\5\6\7\10"sv));  // a pixel three times, then one
+  ASSERT_TRUE(decoded.image) << decoded.messages.front();
+  EXPECT_EQ(decoded.image->channels, 4U);
+  EXPECT_THAT(decoded.image->pixels, ElementsAre(3, 2, 1, 4, 3, 2, 1, 4, 3, 2, 1, 4, 7, 6, 5, 8));
+}
+
+TEST(Tga, ReportsWhatIsMissing) {
+  using namespace std::string_view_literals;
+  const std::string prefix = "cannot decode the image `p`: ";
+  EXPECT_THAT(decode(tga(2, 24, 0, "\1\2\3"sv)).messages,
+              ElementsAre(prefix + "it is cut short: 9 bytes of pixels are missing"));
+  EXPECT_THAT(decode(tga(10, 24, 0, "\x83\1"sv)).messages,
+              ElementsAre(prefix + "it is cut short: 8 bytes of pixels are missing"));
+  EXPECT_THAT(decode(tga(10, 16, 0, "\1\2\3\4\5\6\7\10"sv)).messages,
+              ElementsAre(prefix + "it is none of PNG, JPEG, DDS and TGA; convert it to one of them"));
+}
+
 TEST(Image, BrokenFilesAreReported) {
   EXPECT_THAT(decode("").messages, ElementsAre("cannot decode the image `p`: the file is empty"));
   EXPECT_THAT(decode("GIF89a").messages,
-              ElementsAre("cannot decode the image `p`: it is none of PNG, JPEG and DDS; convert it to one of them"));
+              ElementsAre("cannot decode the image `p`: it is none of PNG, JPEG, DDS and TGA; convert it to one of them"));
   EXPECT_THAT(decode(sample("truncated.png")).messages, ElementsAre("cannot decode the image `p`: the file ends too early"));
   EXPECT_THAT(decode(sample("truncated.jpg")).messages, ElementsAre("cannot decode the image `p`: Premature end of JPEG file"));
   EXPECT_THAT(
