@@ -107,9 +107,10 @@ void add_rectangle(Mesh& mesh, const glm::vec3& center, const glm::vec3& right, 
 std::optional<Mesh> make_box(const GeometrySource& source) {
   Mesh mesh = empty_mesh(source);
   const glm::vec3 half = glm::vec3(source.graph.vec3(source.node, "size")) / 2.0f;
+  mesh.ccw = source.graph.boolean(source.node, "ccw");
   for (const BoxFace& face : kBoxFaces) {
-    const glm::vec3 normal = glm::cross(face.right, face.up);
-    add_rectangle(mesh, normal * half, face.right * half, face.up * half, normal);
+    const glm::vec3 outward = glm::cross(face.right, face.up);
+    add_rectangle(mesh, outward * half, face.right * half, face.up * half, mesh.ccw ? outward : -outward);
   }
   return mesh;
 }
