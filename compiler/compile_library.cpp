@@ -93,6 +93,7 @@ void LibraryScene::drop_other_kinds() {
     for (PlannedVariant& variant : plan.variants) {
       renumber(variant.program);
       renumber(variant.depth_program);
+      renumber(variant.point_depth_program);
     }
   }
   for (MapPlan& plan : parts().maps) {

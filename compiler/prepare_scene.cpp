@@ -131,8 +131,24 @@ ShapeFacts shape_facts(const PreparedScene& prepared, const SceneShape& shape, c
           .shader_has_geometry = shader_has_geometry};
 }
 
+/// Which depth passes there are in a scene, or for a shape.
+struct DepthPasses {
+  bool flat = false;  ///< Of directional and spot lights.
+  bool of_point_lights = false;
+};
+
+DepthPasses depth_passes(const Scene& scene) {
+  DepthPasses passes;
+  for (const SceneShadowMap& map : scene.shadow_maps) {
+    if (map.update == ShadowUpdate::none) continue;
+    const bool point = scene.lights[static_cast<std::size_t>(map.light)].kind == LightKind::point;
+    (point ? passes.of_point_lights : passes.flat) = true;
+  }
+  return passes;
+}
+
 /// The programs of all states of a shape: first those with most in them, which others are reductions of.
-void plan_variants(ShapeStates states, bool casts, const std::vector<EffectCode>& effects, RecipeList& recipes,
+void plan_variants(ShapeStates states, const DepthPasses& passes, const std::vector<EffectCode>& effects, RecipeList& recipes,
                    ShapePlan& plan) {
   plan.variants.resize(states.recipes.size());
   for (const bool reduced : {false, true}) {
@@ -141,7 +157,10 @@ void plan_variants(ShapeStates states, bool casts, const std::vector<EffectCode>
       if ((wanted.fuller >= 0) != reduced) continue;
       const PlannedVariant fuller = reduced ? plan.variants[static_cast<std::size_t>(wanted.fuller)] : PlannedVariant();
       plan.variants[i].program = recipes.add(wanted.recipe, fuller.program);
-      if (casts) plan.variants[i].depth_program = recipes.add(make_depth_recipe(wanted.recipe, effects), fuller.depth_program);
+      PlannedVariant& variant = plan.variants[i];
+      if (passes.flat) variant.depth_program = recipes.add(make_depth_recipe(wanted.recipe, effects), fuller.depth_program);
+      if (passes.of_point_lights)
+        variant.point_depth_program = recipes.add(make_depth_recipe(wanted.recipe, effects, true), fuller.point_depth_program);
     }
   }
   plan.switches = std::move(states.switches);
@@ -163,16 +182,17 @@ void plan_maps(SceneParts& parts, RecipeList& recipes) {
 void prepare_recipes(PreparedScene& prepared) {
   SceneParts& parts = prepared.parts;
   RecipeList recipes(prepared.recipes);
+  const DepthPasses passes = depth_passes(parts.scene);
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     const SceneShape& shape = parts.scene.shapes[i];
     ShapePlan& plan = parts.shapes[i];
     if (plan.mesh == nullptr) continue;
     const AlphaUse alpha = shape_alpha(parts, shape);
     plan.blended = alpha == AlphaUse::blended;
-    const bool casts =
-        shape.casts_shadow && !plan.blended && !parts.scene.shadow_maps.empty() && plan.mesh->topology == Topology::triangles;
+    const bool casts = shape.casts_shadow && !plan.blended && plan.mesh->topology == Topology::triangles;
     const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, alpha);
-    plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects), casts, prepared.effects, recipes, plan);
+    plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects), casts ? passes : DepthPasses(),
+                  prepared.effects, recipes, plan);
   }
   plan_maps(parts, recipes);
 }

@@ -38,6 +38,10 @@ void mark_author_visible_maps(const std::vector<EffectCode>& effects, const std:
       mark_texture(scene, use.texture);
       if (use.projector >= 0) mark(scene, scene.projectors[static_cast<std::size_t>(use.projector)].shadow_map);
     }
+    for (const ReceivedShadow& shadow : shape.receives) {
+      if (shadow.compare != DepthCompare::less_equal)
+        mark(scene, shadow.shadow_map);  // a comparison that is not the renderer's
+    }
   }
   mark_fields(scene.effects, scene);
   mark_fields(scene.shaders, scene);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -93,23 +94,24 @@ double clamped_angle(double angle) {
   return angle > 0 ? std::clamp(angle, kSmallestAngle, kLargestAngle) : kDefaultFieldOfView;
 }
 
-const PackedViewpoint* find_viewpoint(const PackedScene& scene, const std::string& wanted, Messages& messages) {
-  if (scene.viewpoints()->size() == 0) {
-    if (!wanted.empty()) messages.add("no viewpoint `" + wanted + "`: the scene has none, so the whole of it is shown");
-    return nullptr;
-  }
-  const PackedViewpoint* const first = scene.viewpoints()->Get(0);
-  if (wanted.empty()) return first;
-  for (const PackedViewpoint* viewpoint : *scene.viewpoints()) {
-    if (viewpoint->name()->string_view() == wanted) return viewpoint;
+/// By DEF name, else by index; none for what is neither.
+std::optional<std::uint32_t> named_viewpoint(const PackedScene& scene, const std::string& wanted) {
+  for (std::uint32_t i = 0; i < scene.viewpoints()->size(); ++i) {
+    if (scene.viewpoints()->Get(i)->name()->string_view() == wanted) return i;
   }
   std::uint32_t index = 0;
   const char* const end = wanted.data() + wanted.size();
   const auto [stopped, error] = std::from_chars(wanted.data(), end, index);
-  if (error == std::errc() && stopped == end && index < scene.viewpoints()->size()) return scene.viewpoints()->Get(index);
-  messages.add("no viewpoint `" + wanted + "`: the first one is shown; give a DEF name or an index below " +
-               std::to_string(scene.viewpoints()->size()));
-  return first;
+  if (error == std::errc() && stopped == end && index < scene.viewpoints()->size()) return index;
+  return std::nullopt;
+}
+
+void report_unknown_viewpoint(const PackedScene& scene, const std::string& wanted, Messages& messages) {
+  if (wanted.empty() || named_viewpoint(scene, wanted)) return;
+  const std::uint32_t count = scene.viewpoints()->size();
+  messages.add("no viewpoint `" + wanted + "`: " +
+               (count == 0 ? "the scene has none, so the whole of it is shown"
+                           : "the first one is shown; give a DEF name or an index below " + std::to_string(count)));
 }
 
 /// In front of the scene by twice its mean size.
@@ -152,10 +154,16 @@ View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World
   return view;
 }
 
+std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted) {
+  if (scene.viewpoints()->size() == 0) return -1;
+  return wanted.empty() ? 0 : static_cast<std::int32_t>(named_viewpoint(scene, wanted).value_or(0));
+}
+
 View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
                  Messages& messages) {
-  if (const PackedViewpoint* const viewpoint = find_viewpoint(scene, wanted, messages))
-    return view_from(*viewpoint, slots, world, aspect);
+  report_unknown_viewpoint(scene, wanted, messages);
+  const std::int32_t bound = bound_viewpoint(scene, wanted);
+  if (bound >= 0) return view_from(*scene.viewpoints()->Get(static_cast<std::uint32_t>(bound)), slots, world, aspect);
   View view = view_of_whole(world.bounds);
   view.projection = perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
   return view;

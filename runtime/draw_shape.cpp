@@ -28,12 +28,18 @@ bool compares(PackedUniformType type) {
   return type == PackedUniformType::sampler2DShadow || type == PackedUniformType::samplerCubeShadow;
 }
 
-BoundTexture shadow_texture(LoadedScene& scene, const Pass& pass, std::uint32_t map, PackedUniformType type) {
-  const gl::Texture& texture = scene.shadow_maps[map].texture;
-  const bool drawn = texture && scene.shadow_maps[map].in_use && pass.shadows && !pass.depth_only;
-  if (drawn && type == PackedUniformType::sampler2DShadow) return {texture.id()};
-  if (drawn && type == PackedUniformType::sampler2D) return {texture.id(), scene.resources.depth_picture_sampler().id()};
-  return {scene.resources.stand_in(type, scene.shadow_maps[map].reversed).id()};
+BoundTexture shadow_texture(LoadedScene& scene, const Pass& pass, const PackedBinding& binding, PackedUniformType type) {
+  const ShadowMap& map = scene.shadow_maps[binding.a()];
+  const gl::Texture& texture = map.texture;
+  const bool drawn = texture && map.in_use && pass.shadows && !pass.depth_only;
+  const bool cube = gl::texture_target(type) == GL_TEXTURE_CUBE_MAP;
+  if (drawn && compares(type) && cube == map.view.all_around) {
+    const bool greater = binding.source() == PackedSource::shadow_map_greater;
+    return {texture.id(), greater ? scene.resources.greater_sampler().id() : 0};
+  }
+  const bool picture = type == PackedUniformType::sampler2D || type == PackedUniformType::samplerCube;
+  if (drawn && picture && cube == map.view.all_around) return {texture.id(), scene.resources.depth_picture_sampler().id()};
+  return {scene.resources.stand_in(type, map.reversed).id()};
 }
 
 /// The moments, or what they are made from. A map that is not drawn has none: at a depth plane of zeros, all is lit.
@@ -55,7 +61,8 @@ bool is_of_moments(PackedSource source) {
 
 BoundTexture find_texture(LoadedScene& scene, const Pass& pass, const PackedBinding& binding, PackedUniformType type,
                           Messages& messages) {
-  if (binding.source() == PackedSource::shadow_map) return shadow_texture(scene, pass, binding.a(), type);
+  const bool of_map = binding.source() == PackedSource::shadow_map || binding.source() == PackedSource::shadow_map_greater;
+  if (of_map) return shadow_texture(scene, pass, binding, type);
   if (is_of_moments(binding.source())) return moments_texture(scene, pass, binding, type);
   if (binding.source() == PackedSource::texture && !compares(type)) {
     return {scene.resources.texture(binding.a(), type, messages).id()};
@@ -122,6 +129,22 @@ double distance_from_eye(const Box& bounds, const View& view) {
   return orthographic ? -seen.z : glm::length(seen);
 }
 
+/// Null for the mesh's own: no coordinates are projected before the vertex shader, or, in a depth pass, none are read.
+const gl::VertexArray* vertex_array_of(const gl::Functions& functions, LoadedScene& scene, const Pass& pass,
+                                       std::uint32_t index, const UniformInputs& inputs) {
+  const PackedShape& shape = scene.shape(index);
+  const auto* bindings = shape.projected_coords();
+  if (bindings == nullptr || bindings->size() == 0 || pass.depth_only) return nullptr;
+  ProjectedCoords& coords = scene.projected_coords[index];
+  update_projected_coords(functions, scene.resources.mesh(shape.mesh()), *scene.package->meshes()->Get(shape.mesh()), *bindings,
+                          inputs, coords);
+  return &coords.vertex_array;
+}
+
+const Bindings& bindings_in(const ShapePrograms& use, const Pass& pass) {
+  return pass.depth_only ? depth_bindings(use, pass.of_point_light) : *use.bindings;
+}
+
 bool may_be_seen(const LoadedScene& scene, std::uint32_t shape, const glm::dmat4& world_to_clip) {
   return !scene.shape(shape).bounds_known() || !outside_sideways(scene.world.shape_bounds[shape], world_to_clip);
 }
@@ -133,17 +156,18 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   const gl::Mesh& mesh = scene.resources.mesh(shape.mesh());
   if (mesh.index_count == 0) return false;
   const ShapePrograms use = scene.programs_of(index);
-  const std::uint32_t program_index = pass.depth_only ? static_cast<std::uint32_t>(use.depth_program) : use.program;
+  const std::uint32_t program_index =
+      pass.depth_only ? static_cast<std::uint32_t>(depth_program(use, pass.of_point_light)) : use.program;
   const LoadedProgram& program = scene.programs.get(program_index, messages);
   if (!program.program) return false;
   gl::use_program(functions, program.program);
   const glm::dmat4& object_to_world = scene.world.at(shape.transform()).matrix;
-  const UniformInputs inputs{*scene.packed,  scene.slots,       scene.world,
-                             pass.view,      pass.shadow_views, pass.depth_only ? &pass.view : nullptr,
-                             object_to_world};
-  apply_bindings(functions, scene, pass, program, pass.depth_only ? *use.depth_bindings : *use.bindings, inputs, messages);
+  const UniformInputs inputs{*scene.packed,   scene.slots,       scene.world,
+                             pass.view,       pass.shadow_views, pass.depth_only ? &pass.view : nullptr,
+                             object_to_world, pass.depth_range,  pass.bound_viewpoint};
+  apply_bindings(functions, scene, pass, program, bindings_in(use, pass), inputs, messages);
   if (!pass.depth_only) gl::set_draw_state(functions, state_of(shape, object_to_world));
-  gl::draw_mesh(functions, mesh);
+  gl::draw_mesh(functions, mesh, vertex_array_of(functions, scene, pass, index, inputs));
   pass.programs.insert(program_index);
   return true;
 }
@@ -180,15 +204,15 @@ std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view
   return order;
 }
 
-std::vector<std::uint32_t> caster_order(const LoadedScene& scene, const View& view) {
+std::vector<std::uint32_t> caster_order(const LoadedScene& scene, const View& view, bool of_point_light) {
   const glm::dmat4 world_to_clip = view.projection * view.world_to_eye;
+  const auto program = [&](std::uint32_t i) { return depth_program(scene.programs_of(i), of_point_light); };
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
-    if (casts(*scene.packed, scene.world, i) && may_be_seen(scene, i, world_to_clip)) order.push_back(i);
+    if (scene.world.shape_visible[i] && program(i) >= 0 && may_be_seen(scene, i, world_to_clip)) order.push_back(i);
   }
-  std::stable_sort(order.begin(), order.end(), [&scene](std::uint32_t a, std::uint32_t b) {
-    const auto key = [&scene](std::uint32_t i) { return std::pair(scene.programs_of(i).depth_program, scene.shape(i).mesh()); };
-    return key(a) < key(b);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(program(a), scene.shape(a).mesh()) < std::pair(program(b), scene.shape(b).mesh());
   });
   return order;
 }

@@ -12,10 +12,13 @@ namespace plugc {
 /// A pass seen from `view`.
 struct Pass {
   const View& view;
-  bool depth_only = false;           ///< A light's depth map: its view is `view`, and nothing reads a shadow map.
-  bool shadows = true;               ///< False: shadow maps are read as lit.
-  std::vector<View> shadow_views;    ///< One per shadow map.
-  std::set<std::uint32_t> programs;  ///< Used so far.
+  bool depth_only = false;            ///< A light's depth map: its view is `view`, and nothing reads a shadow map.
+  bool shadows = true;                ///< False: shadow maps are read as lit.
+  std::vector<View> shadow_views;     ///< One per shadow map.
+  std::set<std::uint32_t> programs;   ///< Used so far.
+  bool of_point_light = false;        ///< A depth map all of whose depths are distances to a point light.
+  glm::dvec3 depth_range{0};          ///< Of such a pass: PackedSource::depth_pass_range.
+  std::int32_t bound_viewpoint = -1;  ///< Through which `view` looks; -1: through none of the scene's.
 };
 
 /// Draws over the whole target that is bound, with a program of map `map`. False when the driver rejected the program.
@@ -29,7 +32,7 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
 /// share; then the blended ones from far to near.
 std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view);
 
-/// The shapes to draw into a depth map seen from `view`.
-std::vector<std::uint32_t> caster_order(const LoadedScene& scene, const View& view);
+/// The shapes to draw into a depth map, or one face of a point light's, seen from `view`.
+std::vector<std::uint32_t> caster_order(const LoadedScene& scene, const View& view, bool of_point_light);
 
 }  // namespace plugc

@@ -11,7 +11,8 @@ void upload(LoadedScene& scene, Messages& messages) {
     for (std::uint32_t variant = 0; variant <= shape.variants()->size(); ++variant) {
       const ShapePrograms use = shape_programs(shape, static_cast<std::uint8_t>(variant));
       scene.programs.get(use.program, messages);
-      if (use.depth_program >= 0) scene.programs.get(static_cast<std::uint32_t>(use.depth_program), messages);
+      for (const std::int32_t depth : {use.depth_program, use.point_depth_program})
+        if (depth >= 0) scene.programs.get(static_cast<std::uint32_t>(depth), messages);
     }
   }
   for (const PackedShadowMap* map : *scene.packed->shadow_maps()) {

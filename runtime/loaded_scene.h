@@ -1,10 +1,12 @@
 #pragma once
 // One scene ready to be drawn: its values, where everything is, and what the GPU holds of it.
 
+#include <map>
 #include <vector>
 
 #include "runtime/events.h"
 #include "runtime/program_pool.h"
+#include "runtime/projected_coords.h"
 #include "runtime/resource_pool.h"
 #include "runtime/shadow_map.h"
 #include "runtime/world.h"
@@ -20,6 +22,7 @@ struct LoadedScene {
   ProgramPool programs;
   ResourcePool resources;
   std::vector<ShadowMap> shadow_maps;
+  std::map<std::uint32_t, ProjectedCoords> projected_coords = {};  ///< By shape.
 
   std::uint32_t shape_count() const { return packed->shapes()->size(); }
   const PackedShape& shape(std::uint32_t index) const { return *packed->shapes()->Get(index); }

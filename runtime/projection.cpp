@@ -13,6 +13,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "runtime/cube_map.h"
+
 namespace plugc {
 namespace {
 
@@ -175,11 +177,12 @@ LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, con
   frame.angle_written = angle > 0;
   frame.angle = frame.angle_written ? angle : 2 * cut_off;
   if (!std::isfinite(frame.angle)) frame.angle = kLargestSpotAngle;
-  if (spot) frame.radius = slots.number(light.radius(), 100) * longer;
+  const bool directional = light.kind() == PackedLightKind::directional;
+  if (!directional) frame.radius = slots.number(light.radius(), 100) * longer;
   if (!spot) frame.rectangle = slots.vector4(map.rectangle(), glm::dvec4(0)) * longer;
   check_distances(frame, light, messages);
   check_rectangle(frame, light, messages);
-  const glm::dvec3 own = slots.vector3(spot ? light.location() : map.location(), glm::dvec3(0));
+  const glm::dvec3 own = slots.vector3(directional ? map.location() : light.location(), glm::dvec3(0));
   frame.location = glm::dvec3(place * glm::dvec4(own, 1));
   frame.located = own != glm::dvec3(0) || frame.rectangle != glm::dvec4(0);
   return frame;
@@ -235,6 +238,7 @@ std::optional<glm::dvec4> front_of(const PlacedBox& placed, const glm::dvec4& li
 }
 
 View fit_light(const LightFrame& light, const FitInput& input) {
+  if (light.kind == PackedLightKind::point) return fit_point_light(light, input);
   return checked(light.kind == PackedLightKind::spot ? fit_spot(light, input) : fit_directional(light, input));
 }
 
@@ -258,6 +262,7 @@ glm::dvec4 linear_depth_line(const View& light) {
 }
 
 glm::dmat4 world_to_texture(const View& light) {
+  if (light.all_around) return light.projection * light.world_to_eye;
   const glm::dvec3 half(0.5, 0.5, light.reversed ? 1.0 : 0.5);
   const glm::dvec3 shift(0.5, 0.5, light.reversed ? 0.0 : 0.5);
   const glm::dmat4 halve = glm::translate(glm::dmat4(1.0), shift) * glm::scale(glm::dmat4(1.0), half);

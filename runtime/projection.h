@@ -15,7 +15,7 @@ namespace plugc {
 
 /// A light as its map needs it, in world space. Zero: to be computed.
 struct LightFrame {
-  PackedLightKind kind = PackedLightKind::directional;  ///< directional or spot
+  PackedLightKind kind = PackedLightKind::directional;
   glm::dvec3 location{0};
   bool located = true;  ///< Directional: a location or a rectangle is written; else the location is computed too.
   glm::dvec3 direction{0, 0, -1};
@@ -24,7 +24,7 @@ struct LightFrame {
   double far = 0;
   double angle = 0;            ///< Spot: full angle in radians.
   bool angle_written = false;  ///< Else it is the light's own, and nothing outside of it is lit.
-  double radius = -1;          ///< Spot: how far the light reaches; negative: for ever.
+  double radius = -1;          ///< Spot and point: how far the light reaches; negative: for ever.
   glm::dvec4 rectangle{0};     ///< Directional: left bottom right top.
   std::uint32_t map_size = 1;  ///< Texels along a side: how wide a margin of one texel is.
   double unit = 1;             ///< World length of a unit of the light's own space.
@@ -83,7 +83,8 @@ glm::dvec4 linear_depth_plane(const View& light);
 /// A depth d as the map stores it to the same linear depth: (x d + y) / (z d + w).
 glm::dvec4 linear_depth_line(const View& light);
 
-/// World space to the map's texture space: x and y from 0 to 1, depth from 0 to 1 or as `reversed` says.
+/// World space to the map's texture space: x and y from 0 to 1, depth from 0 to 1 or as `reversed` says; of a point light, the
+/// offset from it as a share of the largest distance.
 glm::dmat4 world_to_texture(const View& light);
 
 }  // namespace plugc

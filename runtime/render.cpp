@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/cube_map.h"
 #include "runtime/draw_shape.h"
 #include "runtime/gl/pass.h"
 #include "runtime/update_shadow_map.h"
@@ -47,19 +48,44 @@ void make_moments(const gl::Functions& gl, LoadedScene& scene, std::uint32_t ind
   statistics.shadow_filter_passes += 2;
 }
 
+/// The casters that the pass sees, into the depth target that is bound.
+void draw_casters(const gl::Functions& gl, LoadedScene& scene, Pass& pass, std::set<std::uint32_t>& programs,
+                  FrameStatistics& statistics, Messages& messages) {
+  std::uint32_t drawn = 0;
+  for (const std::uint32_t shape : caster_order(scene, pass.view, pass.of_point_light))
+    drawn += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;
+  statistics.shadow_draw_calls += drawn;
+  statistics.shadow_passes += drawn != 0 ? 1 : 0;  // without a caster the map is only cleared
+  programs.merge(pass.programs);
+}
+
+/// The six faces of a point light's map; one that nobody looks into is only cleared.
+void draw_cube_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t index, const glm::vec2& offset,
+                   std::set<std::uint32_t>& programs, FrameStatistics& statistics, Messages& messages) {
+  const ShadowMap& map = scene.shadow_maps[index];
+  const FitInput input = fit_input(*scene.package, *scene.packed, scene.world, index);
+  for (unsigned face = 0; face < kCubeFaceCount; ++face) {
+    gl::begin_depth_pass(gl, map.faces[face], map.size, 0, 0, false);
+    if (!face_is_read(map.view, face, map.size, input)) continue;
+    const View view = cube_face(map.view, face);
+    Pass pass{view, true, false, std::vector<View>(scene.shadow_maps.size()), {}};
+    pass.of_point_light = true;
+    pass.depth_range = depth_pass_range(map.view, double(offset.x), double(offset.y));
+    draw_casters(gl, scene, pass, programs, statistics, messages);
+  }
+}
+
 void draw_shadow_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t index, std::set<std::uint32_t>& programs,
                      FrameStatistics& statistics, Messages& messages) {
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
   const ShadowMap& map = scene.shadow_maps[index];
-  gl::begin_depth_pass(gl, map.framebuffer, map.size, finite_offset(scene.slots.number(packed.scale(), 4)),
-                       finite_offset(scene.slots.number(packed.bias(), 4) * map.fit.coarseness), map.reversed);
+  const glm::vec2 offset(finite_offset(scene.slots.number(packed.scale(), 4)),
+                         finite_offset(scene.slots.number(packed.bias(), 4) * map.fit.coarseness));
+  if (map.view.all_around) return draw_cube_map(gl, scene, index, offset, programs, statistics, messages);
+  gl::begin_depth_pass(gl, map.framebuffer, map.size, offset.x, offset.y, map.reversed);
   Pass pass{map.view, true, false, std::vector<View>(scene.shadow_maps.size()), {}};
-  std::uint32_t drawn = 0;
-  for (const std::uint32_t shape : caster_order(scene, map.view)) drawn += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;
+  draw_casters(gl, scene, pass, programs, statistics, messages);
   make_moments(gl, scene, index, pass, statistics, messages);
-  statistics.shadow_draw_calls += drawn;
-  statistics.shadow_passes += drawn != 0 ? 1 : 0;  // without a caster the map is only cleared
-  programs.merge(pass.programs);
 }
 
 void draw_shadow_maps(const gl::Functions& gl, LoadedScene& scene, const View& camera, std::set<std::uint32_t>& programs,
@@ -69,16 +95,22 @@ void draw_shadow_maps(const gl::Functions& gl, LoadedScene& scene, const View& c
   }
 }
 
-void draw_picture(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const View& camera, bool shadows,
+struct Camera {
+  View view;
+  std::int32_t viewpoint = -1;  // as bound_viewpoint() says
+};
+
+void draw_picture(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const Camera& camera, bool shadows,
                   std::set<std::uint32_t>& programs, FrameStatistics& statistics, Messages& messages) {
-  Pass pass{camera, false, shadows, {}, {}};
+  Pass pass{camera.view, false, shadows, {}, {}};
   for (const ShadowMap& map : scene.shadow_maps) {
     pass.shadow_views.push_back(map.view);
     if (!shadows || !map.in_use)
       pass.shadow_views.back().near = pass.shadow_views.back().far = 0;  // depth 0: before all moments
   }
+  pass.bound_viewpoint = camera.viewpoint;
   gl::begin_color_pass(gl, target.framebuffer, target.width, target.height, background_of(scene));
-  for (const std::uint32_t shape : draw_order(scene, camera)) {
+  for (const std::uint32_t shape : draw_order(scene, camera.view)) {
     statistics.draw_calls += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;
   }
   programs.merge(pass.programs);
@@ -92,8 +124,9 @@ FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const Fr
   place_scene(scene);
   std::set<std::uint32_t> programs;
   const double aspect = static_cast<double>(target.width) / target.height;
-  const View camera = make_camera(*scene.packed, scene.slots, scene.world, options.viewpoint, aspect, messages);
-  if (options.shadows) draw_shadow_maps(gl, scene, camera, programs, statistics, messages);
+  const Camera camera{make_camera(*scene.packed, scene.slots, scene.world, options.viewpoint, aspect, messages),
+                      bound_viewpoint(*scene.packed, options.viewpoint)};
+  if (options.shadows) draw_shadow_maps(gl, scene, camera.view, programs, statistics, messages);
   draw_picture(gl, scene, target, camera, options.shadows, programs, statistics, messages);
   statistics.programs_used = static_cast<std::uint32_t>(programs.size());
   return statistics;

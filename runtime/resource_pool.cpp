@@ -49,4 +49,9 @@ const gl::VertexArray& ResourcePool::no_attributes() {
   return no_attributes_;
 }
 
+const gl::Sampler& ResourcePool::greater_sampler() {
+  if (!greater_sampler_) greater_sampler_ = gl::make_greater_sampler(*gl_);
+  return greater_sampler_;
+}
+
 }  // namespace plugc

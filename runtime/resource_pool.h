@@ -26,6 +26,8 @@ class ResourcePool {
   const gl::Sampler& depth_picture_sampler();
   const gl::Sampler& depth_texel_sampler();
   const gl::VertexArray& no_attributes();
+  /// Of a map whose texels are lit where they are at most the reference depth.
+  const gl::Sampler& greater_sampler();
 
  private:
   const gl::Functions* gl_ = nullptr;
@@ -33,7 +35,7 @@ class ResourcePool {
   std::vector<std::optional<gl::Mesh>> meshes_;
   std::map<std::pair<std::uint32_t, GLenum>, gl::Texture> textures_;  ///< One picture can be read as 2D and as 3D.
   std::map<std::pair<PackedUniformType, bool>, gl::Texture> stand_ins_;
-  gl::Sampler depth_picture_sampler_, depth_texel_sampler_;
+  gl::Sampler depth_picture_sampler_, depth_texel_sampler_, greater_sampler_;
   gl::VertexArray no_attributes_;
 };
 

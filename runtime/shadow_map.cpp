@@ -7,9 +7,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/limits.h"
+#include "runtime/cube_map.h"
 
 namespace plugc {
 namespace {
+
+constexpr GLsizei kMaxCubeMapSide = 4096;  // six faces: 384 MiB
 
 GLsizei usable_size(std::uint32_t wanted, GLsizei largest, Messages& messages) {
   const auto limit = std::min(kMaxShadowMapSide, static_cast<std::uint32_t>(largest));
@@ -26,15 +29,22 @@ bool receives(const PackedShape& shape, std::uint32_t map) {
 
 bool reads(const flatbuffers::Vector<const PackedBinding*>& bindings, std::uint32_t map) {
   return std::any_of(bindings.begin(), bindings.end(), [map](const PackedBinding* binding) {
-    const bool of_map = binding->source() == PackedSource::shadow_map || binding->source() == PackedSource::shadow_moments ||
-                        binding->source() == PackedSource::projector_matrix;
+    const bool of_map =
+        binding->source() == PackedSource::shadow_map || binding->source() == PackedSource::shadow_map_greater ||
+        binding->source() == PackedSource::shadow_moments || binding->source() == PackedSource::projector_matrix;
     return of_map && binding->a() == map;
   });
 }
 
+/// The shape's programs look into the map, or its light projects their texture coordinates.
+bool reads(const PackedShape& shape, std::uint32_t map, std::uint8_t variant) {
+  const auto* coords = shape.projected_coords();
+  return reads(*shape_programs(shape, variant).bindings, map) || (coords != nullptr && reads(*coords, map));
+}
+
 /// Shapes that are seen from the light: shadowed by it, or with texture coordinates that it projects.
 bool is_seen_from(const PackedShape& shape, std::uint32_t map, std::uint8_t variant) {
-  return receives(shape, map) || reads(*shape_programs(shape, variant).bindings, map);
+  return receives(shape, map) || reads(shape, map, variant);
 }
 
 std::vector<MapReader> find_readers(const PackedScene& scene, std::uint32_t map) {
@@ -44,7 +54,7 @@ std::vector<MapReader> find_readers(const PackedScene& scene, std::uint32_t map)
     const PackedShape& shape = *scene.shapes()->Get(i);
     for (std::uint32_t variant = 0; variant <= shape.variants()->size(); ++variant) {
       const auto number = static_cast<std::uint8_t>(variant);
-      if (reads(*shape_programs(shape, number).bindings, map)) readers.push_back({i, number});
+      if (reads(shape, map, number)) readers.push_back({i, number});
     }
   }
   return readers;
@@ -62,13 +72,17 @@ ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap&
                           Messages& messages) {
   ShadowMap map;
   if (packed.update() == PackedShadowUpdate::none) return map;
-  if (light.kind() == PackedLightKind::point) {
-    messages.add("point lights cast no shadows yet: what the light `" + light.name()->str() + "` reaches stays lit");
+  const bool cube = light.kind() == PackedLightKind::point;
+  const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
+  const GLsizei largest = gl::max_target_side(functions);
+  map.size = usable_size(packed.size(), cube ? std::min(largest, kMaxCubeMapSide) : largest, messages);
+  if (cube) {
+    map.texture = gl::make_depth_texture(functions, GL_TEXTURE_CUBE_MAP, map.size, false, filter);
+    for (GLenum face = 0; face < kCubeFaceCount; ++face)
+      map.faces.push_back(gl::make_depth_target(functions, map.texture, GL_TEXTURE_CUBE_MAP_POSITIVE_X + face));
     return map;
   }
-  map.size = usable_size(packed.size(), gl::max_target_side(functions), messages);
   map.reversed = !packed.author_visible() && functions.ClipControl != nullptr;
-  const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
   map.texture = gl::make_depth_texture(functions, GL_TEXTURE_2D, map.size, map.reversed, filter);
   map.framebuffer = gl::make_depth_target(functions, map.texture);
   if (keeps_moments(packed.method())) add_moments(functions, packed.method(), map);
@@ -89,28 +103,47 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
   return maps;
 }
 
-bool casts(const PackedScene& scene, const World& world, std::uint32_t shape) {
-  return world.shape_visible[shape] &&
-         shape_programs(*scene.shapes()->Get(shape), world.shape_variant[shape]).depth_program >= 0;
+std::int32_t depth_program(const ShapePrograms& use, bool of_point_light) {
+  return of_point_light ? use.point_depth_program : use.depth_program;
+}
+
+const flatbuffers::Vector<const PackedBinding*>& depth_bindings(const ShapePrograms& use, bool of_point_light) {
+  return of_point_light ? *use.point_depth_bindings : *use.depth_bindings;
 }
 
 View shifted(const View& view, const ShadowMap& map) {
-  if (map.shift == glm::dvec2(0)) return view;
+  if (map.shift == glm::dvec2(0) || view.all_around) return view;
   View moved = view;
   moved.projection = glm::translate(glm::dmat4(1.0), glm::dvec3(2.0 * map.shift / double(map.size), 0)) * view.projection;
   return moved;
 }
 
+std::vector<std::uint32_t> maps_in_one_frustum(const PackedScene& scene, std::uint32_t index) {
+  const PackedShadowMap& map = *scene.shadow_maps()->Get(index);
+  if (!map.author_visible()) return {index};
+  std::vector<std::uint32_t> maps;
+  for (std::uint32_t i = 0; i < scene.shadow_maps()->size(); ++i) {
+    const PackedShadowMap& other = *scene.shadow_maps()->Get(i);
+    if (other.light() == map.light() && other.author_visible()) maps.push_back(i);
+  }
+  return maps;
+}
+
 FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index) {
+  const std::vector<std::uint32_t> maps = maps_in_one_frustum(scene, index);
   FitInput input;
+  const bool of_point_light = scene.lights()->Get(scene.shadow_maps()->Get(index)->light())->kind() == PackedLightKind::point;
   const std::uint32_t shape_count = scene.shapes()->size();
   for (std::uint32_t i = 0; i < shape_count; ++i) {
     if (!world.shape_visible[i]) continue;
     const PackedShape& shape = *scene.shapes()->Get(i);
     const PlacedBox placed{mesh_bounds(*package.meshes()->Get(shape.mesh())), world.at(shape.transform()).matrix,
                            shape.bounds_known()};
-    if (casts(scene, world, i)) input.casters.push_back(placed);
-    if (is_seen_from(shape, index, world.shape_variant[i])) input.receivers.push_back(placed);
+    const ShapePrograms use = shape_programs(shape, world.shape_variant[i]);
+    if (depth_program(use, of_point_light) >= 0) input.casters.push_back(placed);
+    const bool receives =
+        std::ranges::any_of(maps, [&](std::uint32_t map) { return is_seen_from(shape, map, world.shape_variant[i]); });
+    if (receives) input.receivers.push_back(placed);
   }
   return input;
 }

@@ -22,6 +22,7 @@ struct ShadowMap {
   gl::Framebuffer framebuffer;
   gl::Texture moments, unblurred;  ///< Of a method that keeps moments; the second one is blurred along rows alone.
   gl::Framebuffer moments_target, unblurred_target;
+  std::vector<gl::Framebuffer> faces;  ///< Of a point light, in place of `framebuffer`: +x -x +y -y +z -z.
   GLsizei size = 0;
   bool reversed = false;             ///< Stores depths that fall from 1 to 0: nobody but the renderer's own code reads them.
   std::vector<MapReader> readers;    ///< Whose programs look into it.
@@ -43,10 +44,16 @@ View shifted(const View& view, const ShadowMap& map);
 /// One per PackedShadowMap. Sizes beyond what can be made, and lights that cannot have a map yet, are reported.
 std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages);
 
-/// Shapes that are drawn into depth maps: visible, with a depth program.
-bool casts(const PackedScene& scene, const World& world, std::uint32_t shape);
+/// What draws a shape into the map of a point light, or of another; -1: it casts no shadow there.
+std::int32_t depth_program(const ShapePrograms& use, bool of_point_light);
+const flatbuffers::Vector<const PackedBinding*>& depth_bindings(const ShapePrograms& use, bool of_point_light);
 
-/// The boxes of all casters, and of the shapes that map `index` shadows or whose texture coordinates its light projects.
+/// The maps that see what map `index` sees. All of a light that authors see share a frustum: coordinates that the light
+/// projects serve each of them.
+std::vector<std::uint32_t> maps_in_one_frustum(const PackedScene& scene, std::uint32_t index);
+
+/// The boxes of all casters, and of the shapes that a map in the same frustum shadows or whose texture coordinates its light
+/// projects.
 FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index);
 
 }  // namespace plugc

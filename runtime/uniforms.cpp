@@ -125,6 +125,19 @@ const View& shadow_view(const PackedBinding& binding, const UniformInputs& input
   return inputs.depth_pass_view != nullptr ? *inputs.depth_pass_view : inputs.shadow_views[binding.a()];
 }
 
+/// What a viewpoint projects: bound, the picture itself; else its fieldOfView both ways, or its rectangle.
+View projecting_view(const PackedBinding& binding, const UniformInputs& inputs) {
+  if (binding.b() != 0 && static_cast<std::int32_t>(binding.b()) - 1 == inputs.bound_viewpoint) return inputs.view;
+  const PackedViewpoint& projector = *inputs.scene.projectors()->Get(binding.a());
+  double aspect = 1;
+  if (projector.orthographic()) {
+    const glm::dvec4 field = inputs.slots.vector4(projector.field_of_view(), {-1, -1, 1, 1});  // left bottom right top
+    const double shape = (field.z - field.x) / (field.w - field.y);
+    if (std::isnormal(shape) && shape > 0) aspect = shape;
+  }
+  return view_from(projector, inputs.slots, inputs.world, aspect);
+}
+
 Numbers matrix_numbers(const PackedBinding& binding, const UniformInputs& inputs) {
   const View& view = inputs.view;
   const glm::dmat4 model_view = view.world_to_eye * inputs.object_to_world;
@@ -135,11 +148,8 @@ Numbers matrix_numbers(const PackedBinding& binding, const UniformInputs& inputs
     case PackedSource::normal_matrix: return numbers(normal_matrix(model_view));
     case PackedSource::texture_matrix:
       return numbers(texture_matrix(*inputs.scene.texture_transforms()->Get(binding.a()), inputs.slots));
-    case PackedSource::projector_matrix: return numbers(world_to_texture(shadow_view(binding, inputs)) * view.eye_to_world);
-    case PackedSource::viewpoint_projector_matrix: {
-      const PackedViewpoint& projector = *inputs.scene.projectors()->Get(binding.a());
-      return numbers(world_to_texture(view_from(projector, inputs.slots, inputs.world, 1.0)) * view.eye_to_world);
-    }
+    case PackedSource::projector_matrix:
+    case PackedSource::viewpoint_projector_matrix: return numbers(projector_matrix(binding, inputs) * view.eye_to_world);
     case PackedSource::camera_matrix: return numbers(view.world_to_eye);
     case PackedSource::camera_inverse_matrix: return numbers(view.eye_to_world);
     case PackedSource::camera_rotation_matrix: return numbers(rotation_part(view.world_to_eye));
@@ -171,6 +181,7 @@ Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, co
       return slot_numbers(binding.a(), inputs.slots.number(binding.b(), 1), wanted_size, inputs.slots);
     case PackedSource::color_and_transparency:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
+    case PackedSource::depth_pass_range: return numbers(glm::dvec4(inputs.depth_range, 0));
     case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
     case PackedSource::color_and_alpha:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), inputs.slots.number(binding.b(), 1)));
@@ -196,12 +207,17 @@ Numbers upper_left(const Numbers& m) {
   return {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]};
 }
 
+}  // namespace
+
 float finite_float(double value) {
   constexpr double largest = static_cast<double>(std::numeric_limits<float>::max());
   return std::isnan(value) ? 0.0F : static_cast<float>(std::clamp(value, -largest, largest));
 }
 
-}  // namespace
+glm::dmat4 projector_matrix(const PackedBinding& binding, const UniformInputs& inputs) {
+  const bool of_light = binding.source() == PackedSource::projector_matrix;
+  return world_to_texture(of_light ? shadow_view(binding, inputs) : projecting_view(binding, inputs));
+}
 
 glm::dmat3 normal_matrix(const glm::dmat4& model_view) {
   const glm::dmat3 m(model_view);

@@ -34,12 +34,13 @@ void append(std::vector<float>& numbers, const glm::dmat4& matrix) {
 /// Of one caster: what draw_shape will set.
 void append_caster(std::vector<float>& numbers, const LoadedScene& scene, const View& light, std::uint32_t index) {
   const ShapePrograms use = scene.programs_of(index);
-  const auto& uniforms = *scene.package->programs()->Get(static_cast<std::uint32_t>(use.depth_program))->uniforms();
+  const std::int32_t program = depth_program(use, light.all_around);
+  const auto& uniforms = *scene.package->programs()->Get(static_cast<std::uint32_t>(program))->uniforms();
   const UniformInputs inputs{
       *scene.packed, scene.slots, scene.world, light, {}, &light, scene.world.at(scene.shape(index).transform()).matrix};
   numbers.push_back(static_cast<float>(index));
-  numbers.push_back(static_cast<float>(use.depth_program));
-  for (const PackedBinding* binding : *use.depth_bindings) {
+  numbers.push_back(static_cast<float>(program));
+  for (const PackedBinding* binding : depth_bindings(use, light.all_around)) {
     const PackedUniform& uniform = *uniforms.Get(binding->uniform());
     const std::vector<float> values = evaluate(*binding, uniform.type(), uniform.count(), inputs);
     numbers.insert(numbers.end(), values.begin(), values.end());
@@ -56,7 +57,7 @@ std::vector<float> content_numbers(const LoadedScene& scene, const PackedShadowM
     numbers.push_back(static_cast<float>(light.near));
     numbers.push_back(static_cast<float>(light.far));
   }
-  for (const std::uint32_t shape : caster_order(scene, light)) append_caster(numbers, scene, light, shape);
+  for (const std::uint32_t shape : caster_order(scene, light, light.all_around)) append_caster(numbers, scene, light, shape);
   return numbers;
 }
 
@@ -73,10 +74,13 @@ bool same_view(const View& a, const View& b) {
 void fit(LoadedScene& scene, std::uint32_t index, const View* camera, Messages& messages) {
   ShadowMap& map = scene.shadow_maps[index];
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
-  const LightFrame light = light_frame(*scene.packed, packed, scene.slots, scene.world, messages);
+  LightFrame light = light_frame(*scene.packed, packed, scene.slots, scene.world, messages);
+  for (const std::uint32_t other : maps_in_one_frustum(*scene.packed, index))
+    light.map_size = std::min(light.map_size, scene.packed->shadow_maps()->Get(other)->size());
   FitInput input = fit_input(*scene.package, *scene.packed, scene.world, index);
   input.camera = camera;
-  map.fit = map.reversed ? fit_tightly(light, input, map.memory) : TightFit{fit_light(light, input), true};
+  const bool matters = packed.author_visible() || !(input.casters.empty() || input.receivers.empty());
+  map.fit = map.reversed ? fit_tightly(light, input, map.memory) : TightFit{fit_light(light, input), matters};
   map.fitted_revision = scene.slots.revision();
 }
 

@@ -54,6 +54,7 @@ struct View {
   glm::dmat4 eye_to_world{1.0};
   glm::dmat4 projection{1.0};
   double near = 0, far = 0;  ///< Of a light: between which distances along its view linear depth runs from 0 to 1; equal: none.
+  bool all_around = false;   ///< Of a point light's map: no frustum; the projection divides by the largest distance.
   bool reversed = false;     ///< Clip depth runs from 1 (near) to 0 (far), as with glClipControl; else from -1 to 1.
 };
 
@@ -63,6 +64,9 @@ View look_along(const glm::dvec3& position, const glm::dvec3& direction, const g
 
 /// What a viewpoint sees in a picture of that shape.
 View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World& world, double aspect);
+
+/// The viewpoint that is looked through: `wanted` is a DEF name or an index from 0, else the first. -1: the scene has none.
+std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted);
 
 /// `wanted` is a DEF name or an index from 0; unknown ones are reported and the first viewpoint taken. `aspect` is width /
 /// height.

@@ -45,6 +45,7 @@ Place find_user(const Package& package, std::size_t program) {
         const ShapePrograms use = shape_programs(*shape, static_cast<std::uint8_t>(variant));
         if (use.program == program) return {scene, use.bindings};
         if (use.depth_program == static_cast<std::int64_t>(program)) return {scene, use.depth_bindings};
+        if (use.point_depth_program == static_cast<std::int64_t>(program)) return {scene, use.point_depth_bindings};
       }
     }
   }

@@ -52,6 +52,7 @@ enum class CastleSource : std::uint8_t {
   shadow_depths,
   shadow_depth_line,
   shadow_unblurred,
+  depth_pass_range,
   fog_color,
   fog_visibility_range,
   camera_matrix,

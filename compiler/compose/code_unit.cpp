@@ -91,6 +91,13 @@ bool has_no_code(const EffectCode::Part& part) {
   return is_blank(part.in_vertex) && is_blank(part.in_fragment) && is_blank(part.in_geometry);
 }
 
+bool says_discard(const CodeUnit& unit) {
+  return std::ranges::any_of(unit.tokens.tokens, [&](const Token& token) {
+    return token.kind == TokenKind::directive ? unit.at(token).find("discard") != std::string_view::npos
+                                              : unit.at(token) == "discard";
+  });
+}
+
 void sort_unique(std::vector<std::string>& names) {
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -205,6 +212,8 @@ EffectCode make_effect_code(const SceneEffect& effect, Diagnostics& diagnostics)
     }
     if (too_large || has_no_code(part)) continue;
     if (part.behind_geometry) note_names(*part.behind_geometry, code);
+    for (const auto& unit : {part.in_fragment, part.behind_geometry})
+      code.discards = code.discards || (source.stage == PartStage::fragment && unit && says_discard(*unit));
     code.has_geometry_main = code.has_geometry_main || (part.in_geometry && find_main(*part.in_geometry) != nullptr);
     code.parts.push_back(std::move(part));
   }

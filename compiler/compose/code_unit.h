@@ -88,6 +88,7 @@ struct EffectCode {
   std::vector<std::string> castle_names;  ///< That some part uses: sorted, each once.
   bool has_problems = false;              ///< Some part cannot be taken apart, which has been reported at its place.
   bool moves_vertices = false;            ///< Some part does, in a plug of the vertex stage.
+  bool discards = false;                  ///< Some fragment part drops fragments.
   bool has_geometry_main = false;         ///< Some GEOMETRY part has a `main`.
   bool broken = false;                    ///< Some part can never be valid, and that is reported.
   std::vector<CodeDoubt> doubts;          ///< To be reported as `shader_syntax` where a compiler refuses the code.

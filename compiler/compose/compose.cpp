@@ -65,6 +65,9 @@ std::string_view Composition::name_of(std::size_t owner, std::string_view name) 
 std::string_view Composition::type_of(const CastleName& name) const {
   const bool of_texture = name.source == CastleSource::texture && name.number >= 0 &&
                           static_cast<std::size_t>(name.number) < recipe.textures.size();
+  const bool of_light = name.source == CastleSource::shadow_map && name.number >= 0 &&
+                        static_cast<std::size_t>(name.number) < recipe.lights.size();
+  if (of_light && recipe.lights[static_cast<std::size_t>(name.number)].kind == LightKind::point) return "samplerCubeShadow";
   const std::string_view sampler = of_texture ? sampler_type(recipe.textures[static_cast<std::size_t>(name.number)].kind) : "";
   return sampler.empty() ? name.type : sampler;
 }

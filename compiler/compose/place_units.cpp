@@ -187,7 +187,7 @@ void Placer::place_base() {
       add_template(unit.file, ShaderStage::fragment, unit.features, {});
   } else if (recipe_.depth_only) {
     add_template("depth.vert", ShaderStage::vertex, base_features(), {});
-    add_template("depth.frag", ShaderStage::fragment, {}, {});
+    add_template("depth.frag", ShaderStage::fragment, recipe_.of_point_light ? Features{"POINT"} : Features{}, {});
   } else if (!place_shader()) {
     const Features features = base_features();
     add_template(recipe_.gouraud ? "gouraud.vert" : "phong.vert", ShaderStage::vertex, features, {});
@@ -330,6 +330,7 @@ void Placer::place() {
   place_wanted_coordinates();
   place_fog();
   if (recipe_.alpha_test) add_template("alpha_test.frag", ShaderStage::fragment, {}, {});
+  if (recipe_.of_point_light) add_template("point_depth.frag", ShaderStage::fragment, {}, {});
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) {
     const LightRecipe& light = recipe_.lights[i];
     const PlugScope scope{ScopeKind::light, static_cast<int>(i)};

@@ -109,8 +109,9 @@ LightRecipe RecipeMaker::light(int index) const {
     const Slot* cut_off = slot(light.cut_off_angle);
     recipe.beam_width = beam->routed || cut_off->routed || beam->values[0] < cut_off->values[0];
   }
-  recipe.shadow = std::find(shape_.receives.begin(), shape_.receives.end(), index) != shape_.receives.end();
-  if (recipe.shadow) recipe.shadow_method = scene_.shadow_maps[static_cast<std::size_t>(light.shadow_map)].method;
+  const auto received = std::ranges::find(shape_.receives, index, &ReceivedShadow::light);
+  recipe.shadow = received != shape_.receives.end();
+  if (recipe.shadow) recipe.shadow_method = scene_.shadow_maps[static_cast<std::size_t>(received->shadow_map)].method;
   recipe.shadow_intensity = recipe.shadow && may_differ(light.shadow_intensity, 1);
   recipe.effects = switched_on(light.effects);
   return recipe;
@@ -211,28 +212,83 @@ Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts
   return RecipeMaker(scene, shape, facts, codes, switched).make();
 }
 
-Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes) {
-  Recipe depth;
-  depth.depth_only = true;
-  const auto code = [&](int effect) -> const EffectCode& { return codes[static_cast<std::size_t>(effect)]; };
-  const bool has_geometry =
-      std::any_of(recipe.effects.begin(), recipe.effects.end(), [&](int effect) { return code(effect).has_geometry_main; });
-  std::vector<int> effects;  // a texture's effect that moves vertices moves those of the shape
+namespace {
+
+/// Whether some fragment may not be drawn because of the effect.
+bool decides_fragments(const EffectCode& code, bool alpha_is_tested) {
+  constexpr std::string_view kAlphaPlugs[] = {"texture_coord_shift", "texture_color",   "main_texture_apply", "texture_apply",
+                                              "lighting_apply",      "fragment_modify", "fog_apply"};
+  return code.discards ||
+         (alpha_is_tested && std::ranges::any_of(kAlphaPlugs, [&](std::string_view plug) { return code.fills(plug); }));
+}
+
+/// The effects of a recipe's textures and of its shape: in a depth pass all act on the shape.
+std::vector<int> caster_effects(const Recipe& recipe) {
+  std::vector<int> effects;
   for (const TextureRecipe& texture : recipe.textures)
     effects.insert(effects.end(), texture.effects.begin(), texture.effects.end());
   effects.insert(effects.end(), recipe.effects.begin(), recipe.effects.end());
-  const bool moves =
-      has_geometry || std::any_of(effects.begin(), effects.end(), [&](int effect) { return code(effect).moves_vertices; });
+  return effects;
+}
+
+/// A caster whose fragments are all drawn: only what moves them counts.
+void take_movers(const Recipe& recipe, const std::vector<EffectCode>& codes, bool has_geometry, Recipe& depth) {
+  const std::vector<int> effects = caster_effects(recipe);
+  const bool moves = has_geometry || std::ranges::any_of(effects, [&](int effect) {
+                       return codes[static_cast<std::size_t>(effect)].moves_vertices;
+                     });
   for (const int effect : effects) {  // those that move nothing may still define what the movers call
-    const auto& parts = code(effect).parts;
+    const auto& parts = codes[static_cast<std::size_t>(effect)].parts;
     const bool of_use = std::any_of(parts.begin(), parts.end(), [&](const auto& part) {
       return part.stage == PartStage::vertex || (has_geometry && part.stage == PartStage::geometry);
     });
     if (moves && of_use) depth.effects.push_back(effect);
   }
-  std::ranges::copy_if(recipe.guarded, std::back_inserter(depth.guarded),
-                       [&](int effect) { return std::ranges::find(depth.effects, effect) != depth.effects.end(); });
   depth.normals = recipe.normals && !depth.effects.empty();
+  depth.depth_only = true;
+}
+
+/// A caster with holes: its textures and effects without any light, for colours are not seen. Where no effect decides, those
+/// of the shape that only colour are left out.
+void take_deciders(const Recipe& recipe, const std::vector<EffectCode>& codes, bool has_geometry, Recipe& depth) {
+  const bool by_effects = std::ranges::any_of(caster_effects(recipe), [&](int effect) {
+    return decides_fragments(codes[static_cast<std::size_t>(effect)], recipe.alpha_test);
+  });
+  if (by_effects)
+    depth.effects = recipe.effects;
+  else
+    take_movers(recipe, codes, has_geometry, depth);
+  depth.depth_only = false;
+  depth.gouraud = recipe.gouraud;
+  depth.normals = recipe.normals;
+  depth.two_sided = recipe.two_sided;
+  depth.color_per_vertex = recipe.color_per_vertex;
+  depth.alpha_test = recipe.alpha_test;
+  depth.vertex_eye = recipe.vertex_eye && by_effects;
+  depth.textures = recipe.textures;
+  for (TextureRecipe& texture : depth.textures) {
+    if (texture.role != TextureRole::main) texture = TextureRecipe{.role = TextureRole::unused};
+    if (!by_effects) texture.effects.clear();
+  }
+}
+
+}  // namespace
+
+Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes, bool of_point_light) {
+  Recipe depth;
+  depth.depth_pass = true;
+  const auto code = [&](int effect) -> const EffectCode& { return codes[static_cast<std::size_t>(effect)]; };
+  const bool has_geometry =
+      std::any_of(recipe.effects.begin(), recipe.effects.end(), [&](int effect) { return code(effect).has_geometry_main; });
+  const bool has_holes =
+      recipe.shader < 0 &&
+      (recipe.alpha_test || std::ranges::any_of(caster_effects(recipe), [&](int effect) { return code(effect).discards; }));
+  has_holes ? take_deciders(recipe, codes, has_geometry, depth) : take_movers(recipe, codes, has_geometry, depth);
+  const std::vector<int> taken = caster_effects(depth);
+  std::ranges::copy_if(recipe.guarded, std::back_inserter(depth.guarded),
+                       [&](int effect) { return std::ranges::find(taken, effect) != taken.end(); });
+  depth.of_point_light = of_point_light;
+  depth.vertex_eye = depth.vertex_eye || of_point_light;
   if (has_geometry) depth.primitive = recipe.primitive;
   return depth;
 }

@@ -48,7 +48,9 @@ enum class Primitive : std::uint8_t { none, points, lines, triangles };
 enum class MapPass : std::uint8_t { none, vsm_moments, evsm_moments, msm_moments, blur };
 
 struct Recipe {
-  bool depth_only = false;  ///< The program of a shadow pass.
+  bool depth_pass = false;      ///< The program of a shadow pass; what is wrong is said of the shape's own program.
+  bool depth_only = false;      ///< Of one in which no fragment is discarded.
+  bool of_point_light = false;  ///< Of one whose depth is the distance to a point light.
   MapPass map_pass = MapPass::none;
   bool gouraud = false;
   bool lit = false;
@@ -92,8 +94,9 @@ struct SwitchedParts {
 /// `codes` holds the outlined effects of the scene, by index.
 Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes,
                    const SwitchedParts& switched = {});
-/// The recipe of a caster's depth pass: of its effects only those that move vertices or change primitives.
-Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes);
+/// The recipe of a caster's depth pass: of its effects only those that move vertices or change primitives, and, where the
+/// alpha of fragments is tested or an effect discards some, what decides about them.
+Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes, bool of_point_light = false);
 
 /// The recipes of a map of that method, in the order in which they are drawn.
 std::array<Recipe, 2> make_map_recipes(ShadowMethod method);

@@ -28,8 +28,10 @@ void append_base(std::string& text, const Recipe& recipe) {
     text = kPasses[static_cast<std::size_t>(recipe.map_pass)];
     return;
   }
-  text = recipe.depth_only ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
-  const Word words[] = {{!recipe.depth_only && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
+  text = recipe.depth_pass ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
+  const Word words[] = {{!recipe.depth_pass && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
+                        {recipe.depth_pass && !recipe.depth_only, " fragments"},
+                        {recipe.of_point_light, " point"},
                         {recipe.physical, " physical"},
                         {recipe.specular, " specular"},
                         {recipe.emissive, " emissive"},
@@ -110,7 +112,7 @@ std::string_view generator_text(CoordGenerator generator) {
 }
 
 void append_texture(std::string& text, const TextureRecipe& texture) {
-  constexpr std::string_view kKinds[] = {"", " 3d", " cube", " shadow", " shader"};
+  constexpr std::string_view kKinds[] = {"", " 3d", " cube", " shadow", " shader", " shadow cube"};
   constexpr std::string_view kRoles[] = {
       "", "ambient", "specular", "shininess", "emissive", "occlusion", "metallic_roughness", "normal", "unused"};
   const bool main = texture.role == TextureRole::main;

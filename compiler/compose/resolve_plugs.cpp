@@ -115,7 +115,7 @@ void PlugResolver::note_author_calls(const PlacedUnit& unit, const PlugFunction&
     c_.result.moves_vertices = c_.result.moves_vertices || moves_vertices(unit.code->outline.functions[function.function]);
   }
   c_.result.calls.insert(c_.result.calls.end(), places.size(), {function.plug, unit.stage});
-  if (!results.called && !results.for_overload && !c_.recipe.depth_only) report_unreached(c_, unit, function, markers_);
+  if (!results.called && !results.for_overload && !c_.recipe.depth_pass) report_unreached(c_, unit, function, markers_);
 }
 
 void PlugResolver::resolve_function(std::size_t index, const PlugFunction& function) {

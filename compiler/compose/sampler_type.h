@@ -9,7 +9,7 @@ namespace plugc {
 
 /// The type of the sampler that reads such a texture; "" for one that is code alone.
 constexpr std::string_view sampler_type(TextureKind kind) {
-  constexpr std::string_view kTypes[] = {"sampler2D", "sampler3D", "samplerCube", "sampler2DShadow", ""};
+  constexpr std::string_view kTypes[] = {"sampler2D", "sampler3D", "samplerCube", "sampler2DShadow", "", "samplerCubeShadow"};
   return kTypes[static_cast<std::size_t>(kind)];
 }
 

@@ -58,17 +58,33 @@ std::string_view method_file(ShadowMethod method) {
   return "shadows/pcf.glsl";
 }
 
-}  // namespace
-
-std::vector<ShadowUnit> shadow_units(const LightRecipe& light, Target target) {
+std::vector<ShadowUnit> flat_units(const LightRecipe& light, Target target) {
   std::vector<ShadowUnit> units;
-  if (light.shadow_intensity) units.push_back({"shadows/intensity.glsl", {"BEFORE"}});
   units.push_back({"shadows/coord.glsl", light.kind == LightKind::spot ? Features{"PERSPECTIVE"} : Features{}});
   for (ShadowUnit& unit : kernel_units(light.shadow_method, target)) units.push_back(std::move(unit));
   if (light.shadow_method == ShadowMethod::evsm) units.push_back({"shadows/warp.glsl", {}});
   if (light.shadow_method == ShadowMethod::vsm || light.shadow_method == ShadowMethod::evsm)
     units.push_back({"shadows/chebyshev.glsl", {}});
   units.push_back({method_file(light.shadow_method), {}});
+  return units;
+}
+
+/// Of a point light, for the methods that method_for_cube() gives.
+std::vector<ShadowUnit> cube_units(ShadowMethod method) {
+  switch (method) {
+    case ShadowMethod::pcf3: return {{"shadows/point_coord.glsl", {"ACROSS"}}, {"shadows/point_pcf3.glsl", {}}};
+    case ShadowMethod::poisson: return {{"shadows/point_coord.glsl", {"ACROSS"}}, {"shadows/poisson.glsl", {"POINT"}}};
+    default: return {{"shadows/point_coord.glsl", {}}, {"shadows/point_one_tap.glsl", {}}};
+  }
+}
+
+}  // namespace
+
+std::vector<ShadowUnit> shadow_units(const LightRecipe& light, Target target) {
+  std::vector<ShadowUnit> units;
+  if (light.shadow_intensity) units.push_back({"shadows/intensity.glsl", {"BEFORE"}});
+  auto looking_up = light.kind == LightKind::point ? cube_units(light.shadow_method) : flat_units(light, target);
+  for (ShadowUnit& unit : looking_up) units.push_back(std::move(unit));
   if (light.shadow_intensity) units.push_back({"shadows/intensity.glsl", {"AFTER"}});
   return units;
 }

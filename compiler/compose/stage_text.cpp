@@ -112,7 +112,7 @@ HeadWriter::Names HeadWriter::unwritten_inputs() const {
   if (stage_ != ShaderStage::vertex) return inputs;
   for (const PlacedUnit& unit : c_.units) {
     const bool of_shader = unit.stage == ShaderStage::fragment && c_.owners[unit.owner].kind == OwnerKind::shader;
-    const bool in_depth_pass = unit.stage == ShaderStage::geometry && c_.recipe.depth_only;
+    const bool in_depth_pass = unit.stage == ShaderStage::geometry && c_.recipe.depth_pass;
     if (of_shader || in_depth_pass) inputs.insert(unit.code->castle_names.begin(), unit.code->castle_names.end());
   }
   std::erase_if(inputs, [](std::string_view name) {

@@ -112,7 +112,7 @@ Features coordinate_features(const TextureRecipe& texture) {
 }
 
 Features texture_features(const TextureRecipe& texture, bool first_unit) {
-  constexpr std::string_view kKinds[] = {"IMAGE_2D", "IMAGE_3D", "CUBE", "SHADOW_2D", "SHADER"};
+  constexpr std::string_view kKinds[] = {"IMAGE_2D", "IMAGE_3D", "CUBE", "SHADOW_2D", "SHADER", "SHADOW_CUBE"};
   Features features{kKinds[static_cast<std::size_t>(texture.kind)]};
   if (first_unit) features.insert("FIRST_UNIT");
   if (texture.projective) features.insert("PROJECTIVE");

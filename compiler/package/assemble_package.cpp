@@ -240,9 +240,13 @@ PackedVariantT pack_variant(const SceneParts& parts, const PlannedVariant& plann
   PackedVariantT variant;
   variant.program = packed.programs[static_cast<std::size_t>(planned.program)];
   variant.bindings = pack_bindings(parts.programs[static_cast<std::size_t>(planned.program)], context);
-  if (planned.depth_program < 0 || packed.programs[static_cast<std::size_t>(planned.depth_program)] == kNothing) return variant;
-  variant.depth_program = static_cast<int>(packed.programs[static_cast<std::size_t>(planned.depth_program)]);
-  variant.depth_bindings = pack_bindings(parts.programs[static_cast<std::size_t>(planned.depth_program)], context);
+  const auto pack_depth = [&](int recipe, std::int32_t& program, std::vector<PackedBinding>& bindings) {
+    if (recipe < 0 || packed.programs[static_cast<std::size_t>(recipe)] == kNothing) return;
+    program = static_cast<std::int32_t>(packed.programs[static_cast<std::size_t>(recipe)]);
+    bindings = pack_bindings(parts.programs[static_cast<std::size_t>(recipe)], context);
+  };
+  pack_depth(planned.depth_program, variant.depth_program, variant.depth_bindings);
+  pack_depth(planned.point_depth_program, variant.point_depth_program, variant.point_depth_bindings);
   return variant;
 }
 
@@ -268,8 +272,9 @@ bool are_equal(const std::vector<PackedBinding>& a, const std::vector<PackedBind
 }
 
 bool are_equal(const PackedVariantT& a, const PackedVariantT& b) {
-  return a.program == b.program && a.depth_program == b.depth_program && are_equal(a.bindings, b.bindings) &&
-         are_equal(a.depth_bindings, b.depth_bindings);
+  return a.program == b.program && a.depth_program == b.depth_program && a.point_depth_program == b.point_depth_program &&
+         are_equal(a.bindings, b.bindings) && are_equal(a.depth_bindings, b.depth_bindings) &&
+         are_equal(a.point_depth_bindings, b.point_depth_bindings);
 }
 
 PackedSwitch pack_switch(const Scene& scene, const ShapeSwitch& one) {
@@ -299,6 +304,8 @@ void pack_variants(const SceneParts& parts, std::size_t index, const Packed& whe
   packed.bindings = std::move(variants.front().bindings);
   packed.depth_program = variants.front().depth_program;
   packed.depth_bindings = std::move(variants.front().depth_bindings);
+  packed.point_depth_program = variants.front().point_depth_program;
+  packed.point_depth_bindings = std::move(variants.front().point_depth_bindings);
   if (variants.size() == 1) return;
   for (const ShapeSwitch& one : plan.switches) packed.switches.push_back(pack_switch(parts.scene, one));
   for (const std::uint8_t state : plan.states) packed.states.push_back(numbers[state]);
@@ -311,6 +318,14 @@ bool all_bounds_known(const SceneParts& parts, const ShapePlan& plan) {
     const ValidRecipe& program = parts.programs[static_cast<std::size_t>(variant.program)];
     return program.targets.empty() || has_known_bounds(program.used, program);
   });
+}
+
+/// Sets of texture coordinates that some program of the shape reads.
+std::uint32_t units_read(const SceneParts& parts, const ShapePlan& plan) {
+  std::uint32_t units = 0;
+  for (const PlannedVariant& variant : plan.variants)
+    units = std::max(units, coordinate_units(parts.programs[static_cast<std::size_t>(variant.program)]));
+  return units;
 }
 
 std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t index, std::uint32_t mesh, const Packed& where) {
@@ -328,9 +343,8 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
   packed->blend_source = static_cast<PackedBlendFactor>(shape.blend.source);
   packed->blend_destination = static_cast<PackedBlendFactor>(shape.blend.destination);
   packed->bounds_known = all_bounds_known(parts, plan);
-  for (const int light : shape.receives) {
-    packed->receives.push_back(static_cast<std::uint32_t>(parts.scene.lights[static_cast<std::size_t>(light)].shadow_map));
-  }
+  packed->projected_coords = pack_projected_coords({parts.scene, shape, where.textures}, units_read(parts, plan));
+  for (const ReceivedShadow& shadow : shape.receives) packed->receives.push_back(static_cast<std::uint32_t>(shadow.shadow_map));
   return packed;
 }
 

@@ -19,7 +19,8 @@ namespace plugc {
 /// What a shape is drawn with in some of its states. Into SceneParts::programs.
 struct PlannedVariant {
   int program = -1;
-  int depth_program = -1;  ///< -1: casts no shadow.
+  int depth_program = -1;        ///< -1: casts no shadow from a directional or spot light.
+  int point_depth_program = -1;  ///< -1: casts none from a point light.
 };
 
 /// How a shape is drawn: what the recipe does not say.

@@ -4,6 +4,7 @@
 #include "package/pack_program.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/check.h"
 #include "compose/castle_names.h"
@@ -93,6 +94,18 @@ std::unique_ptr<PackedUniformT> pack_uniform(const UniformOfTargets& uniform) {
   return packed;
 }
 
+std::optional<PackedBinding> projector_binding(const Scene& scene, std::uint32_t index, int projector) {
+  if (projector < 0) return std::nullopt;
+  const SceneProjector& found = scene.projectors[static_cast<std::size_t>(projector)];
+  if (found.shadow_map >= 0)
+    return PackedBinding(index, static_cast<std::uint32_t>(found.shadow_map), 0, 1, PackedSource::projector_matrix);
+  if (!found.viewpoint.node.valid()) return std::nullopt;
+  const auto standing = std::ranges::find(scene.viewpoints, found.viewpoint.node, &SceneViewpoint::node);
+  const auto number =
+      standing == scene.viewpoints.end() ? 0 : static_cast<std::uint32_t>(standing - scene.viewpoints.begin() + 1);
+  return PackedBinding(index, static_cast<std::uint32_t>(projector), number, 1, PackedSource::viewpoint_projector_matrix);
+}
+
 class Binder {
  public:
   Binder(const ValidRecipe& recipe, const BindingContext& context) : recipe_(recipe), c_(context) {
@@ -106,6 +119,7 @@ class Binder {
   void bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& field);
   void bind_castle(std::uint32_t index, const CastleName& name);
   void bind_light(std::uint32_t index, PackedSource source, int number);
+  void bind_map(std::uint32_t index, int map, DepthCompare compare, std::uint32_t element = 0);
   void bind_shadow(std::uint32_t index, PackedSource source, int number);
   void bind_own_map(std::uint32_t index, PackedSource source) {
     if (c_.shadow_map >= 0) add(index, source, static_cast<std::uint32_t>(c_.shadow_map));
@@ -134,11 +148,10 @@ class Binder {
 
 void Binder::bind_texture(std::uint32_t index, int texture, std::uint32_t element) {
   if (texture < 0) return;
-  const int map = c_.scene.textures[static_cast<std::size_t>(texture)].shadow_map;
-  const bool moments = c_.scene.textures[static_cast<std::size_t>(texture)].moments;
-  if (map >= 0)
-    return add(index, moments ? PackedSource::shadow_moments : PackedSource::shadow_map, static_cast<std::uint32_t>(map),
-               element);
+  const SceneTexture& read = c_.scene.textures[static_cast<std::size_t>(texture)];
+  if (read.shadow_map >= 0 && read.moments)
+    return add(index, PackedSource::shadow_moments, static_cast<std::uint32_t>(read.shadow_map), element);
+  if (read.shadow_map >= 0) return bind_map(index, read.shadow_map, read.compare, element);
   const std::uint32_t packed = c_.package_textures[static_cast<std::size_t>(texture)];
   if (packed != kNothing) add(index, PackedSource::texture, packed, element);
 }
@@ -151,10 +164,7 @@ void Binder::bind_texture_matrix(std::uint32_t index, int transform) {
 }
 
 void Binder::bind_projector(std::uint32_t index, int projector) {
-  if (projector < 0) return;
-  const SceneProjector& found = c_.scene.projectors[static_cast<std::size_t>(projector)];
-  if (found.shadow_map >= 0) return add(index, PackedSource::projector_matrix, static_cast<std::uint32_t>(found.shadow_map));
-  if (found.viewpoint.node.valid()) add(index, PackedSource::viewpoint_projector_matrix, static_cast<std::uint32_t>(projector));
+  if (auto binding = projector_binding(c_.scene, index, projector)) bindings_.push_back(*binding);
 }
 
 void Binder::bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& fed) {
@@ -182,9 +192,22 @@ void Binder::bind_light(std::uint32_t index, PackedSource source, int number) {
     add(index, source, static_cast<std::uint32_t>(c_.shape.lights[static_cast<std::size_t>(number)]));
 }
 
+void Binder::bind_map(std::uint32_t index, int map, DepthCompare compare, std::uint32_t element) {
+  const bool greater = compare == DepthCompare::greater_equal;
+  add(index, greater ? PackedSource::shadow_map_greater : PackedSource::shadow_map, static_cast<std::uint32_t>(map), element);
+}
+
+/// The shadow of light `number` as the shape shows it; else, for code that asks all the same, the light's own map.
 void Binder::bind_shadow(std::uint32_t index, PackedSource source, int number) {
   const SceneLight* found = light(number);
-  if (found != nullptr && found->shadow_map >= 0) add(index, source, static_cast<std::uint32_t>(found->shadow_map));
+  if (found == nullptr) return;
+  const int light_index = c_.shape.lights[static_cast<std::size_t>(number)];
+  const auto& receives = c_.shape.receives;
+  const auto received = std::ranges::find(receives, light_index, &ReceivedShadow::light);
+  const ReceivedShadow shadow = received == receives.end() ? ReceivedShadow{light_index, found->shadow_map} : *received;
+  if (shadow.shadow_map < 0) return;
+  if (source == PackedSource::shadow_map) return bind_map(index, shadow.shadow_map, shadow.compare);
+  add(index, source, static_cast<std::uint32_t>(shadow.shadow_map));
 }
 
 void Binder::bind_material(std::uint32_t index, CastleSource source) {
@@ -246,6 +269,7 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::shadow_depths: return bind_own_map(index, PackedSource::shadow_depths);
     case CastleSource::shadow_depth_line: return bind_own_map(index, PackedSource::shadow_depth_line);
     case CastleSource::shadow_unblurred: return bind_own_map(index, PackedSource::shadow_unblurred);
+    case CastleSource::depth_pass_range: return add(index, PackedSource::depth_pass_range);
     case CastleSource::shadow_intensity:
       if (const SceneLight* found = light(name.number)) add(index, PackedSource::slot, found->shadow_intensity);
       return;
@@ -377,6 +401,17 @@ std::string program_content(const ValidRecipe& recipe) {
   // Equal texts of two recipes may be fed differently from target to target: then their lists of uniforms differ.
   for (const UniformOfTargets& uniform : all_uniforms(recipe)) content += static_cast<char>('0' + uniform.targets);
   return content;
+}
+
+std::vector<PackedBinding> pack_projected_coords(const BindingContext& context, std::uint32_t units_read) {
+  std::vector<PackedBinding> coords;
+  if (context.shape.shader < 0) return coords;
+  const auto& textures = context.shape.textures;
+  for (std::uint32_t unit = 0; unit < std::min<std::size_t>(units_read, textures.size()); ++unit) {
+    if (textures[unit].generator != CoordGenerator::projection) continue;
+    if (auto binding = projector_binding(context.scene, unit, textures[unit].projector)) coords.push_back(*binding);
+  }
+  return coords;
 }
 
 std::vector<PackedBinding> pack_bindings(const ValidRecipe& recipe, const BindingContext& context) {

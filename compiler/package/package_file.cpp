@@ -116,9 +116,21 @@ std::string check_bytes(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 ShapePrograms shape_programs(const PackedShape& shape, std::uint8_t variant) {
-  if (variant == 0) return {shape.program(), shape.bindings(), shape.depth_program(), shape.depth_bindings()};
+  if (variant == 0) {
+    return {shape.program(),
+            shape.bindings(),
+            shape.depth_program(),
+            shape.depth_bindings(),
+            shape.point_depth_program(),
+            shape.point_depth_bindings()};
+  }
   const PackedVariant& other = *shape.variants()->Get(variant - 1U);
-  return {other.program(), other.bindings(), other.depth_program(), other.depth_bindings()};
+  return {other.program(),
+          other.bindings(),
+          other.depth_program(),
+          other.depth_bindings(),
+          other.point_depth_program(),
+          other.point_depth_bindings()};
 }
 
 PackageView open_package(std::span<const std::uint8_t> bytes) {

@@ -53,6 +53,8 @@ struct ShapePrograms {
   const flatbuffers::Vector<const PackedBinding*>* bindings = nullptr;
   std::int32_t depth_program = -1;
   const flatbuffers::Vector<const PackedBinding*>* depth_bindings = nullptr;
+  std::int32_t point_depth_program = -1;
+  const flatbuffers::Vector<const PackedBinding*>* point_depth_bindings = nullptr;  ///< Null: there are none.
 };
 /// `variant` as the shape's `states` have it: 0 for its own programs.
 ShapePrograms shape_programs(const PackedShape& shape, std::uint8_t variant);

@@ -26,11 +26,13 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::texture_matrix:
       return check.require_index(place, "texture transform", binding.a(), scene.scene.texture_transforms()->size());
     case PackedSource::viewpoint_projector_matrix:
-      return check.require_index(place, "projector", binding.a(), scene.scene.projectors()->size());
+      return check.require_index(place, "projector", binding.a(), scene.scene.projectors()->size()) &&
+             check.require_index(place, "viewpoint", binding.b(), scene.scene.viewpoints()->size() + 1);
     case PackedSource::shadow_map:
     case PackedSource::shadow_moments:
     case PackedSource::shadow_depths:
     case PackedSource::shadow_unblurred:
+    case PackedSource::shadow_map_greater:
       return check.require_index(place, "shadow map", binding.a(), scene.scene.shadow_maps()->size()) &&
              check.require_index(place, "element", binding.b(), uniform.count());
     case PackedSource::shadow_depth_plane:
@@ -55,14 +57,16 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::camera_matrix:
     case PackedSource::camera_inverse_matrix:
     case PackedSource::camera_rotation_matrix:
-    case PackedSource::camera_rotation_inverse_matrix: return true;
+    case PackedSource::camera_rotation_inverse_matrix:
+    case PackedSource::depth_pass_range: return true;
   }
   return check.fail(place, "its source is unknown");
 }
 
 bool feeds_sampler(PackedSource source) {
-  return source == PackedSource::texture || source == PackedSource::shadow_map || source == PackedSource::shadow_moments ||
-         source == PackedSource::shadow_depths || source == PackedSource::shadow_unblurred;
+  return source == PackedSource::texture || source == PackedSource::shadow_map || source == PackedSource::shadow_map_greater ||
+         source == PackedSource::shadow_moments || source == PackedSource::shadow_depths ||
+         source == PackedSource::shadow_unblurred;
 }
 
 bool check_binding(SceneCheck& scene, const PackedBinding& binding, const PackedProgram& program, const Place& place) {
@@ -87,6 +91,19 @@ bool check_bindings(SceneCheck& scene, const char* word, const flatbuffers::Vect
 
 namespace {
 
+constexpr std::size_t kMaxCoordUnits = 256;  // PackedStream::unit is a byte
+
+/// Coordinates that are computed for a vertex shader.
+bool check_projected_coord(SceneCheck& scene, const PackedBinding& coord, const Place& place) {
+  PackageCheck& check = scene.check;
+  if (!check.require_index(place, "unit", coord.uniform(), kMaxCoordUnits)) return false;
+  if (coord.source() == PackedSource::projector_matrix)
+    return check.require_index(place, "shadow map", coord.a(), scene.scene.shadow_maps()->size());
+  if (coord.source() != PackedSource::viewpoint_projector_matrix) return check.fail(place, "nothing projects it");
+  return check.require_index(place, "projector", coord.a(), scene.scene.projectors()->size()) &&
+         check.require_index(place, "viewpoint", coord.b(), scene.scene.viewpoints()->size() + 1);
+}
+
 bool check_programs(SceneCheck& scene, const ShapePrograms& use, const Place& place) {
   PackageCheck& check = scene.check;
   const std::size_t count = check.package.programs()->size();
@@ -96,7 +113,13 @@ bool check_programs(SceneCheck& scene, const ShapePrograms& use, const Place& pl
   }
   if (!is_index_or_none(use.depth_program, count))
     return check.fail(place, fmt::format("depth program {} does not exist", use.depth_program));
-  return check_bindings(scene, "depth binding", *use.depth_bindings, use.depth_program, place);
+  if (!is_index_or_none(use.point_depth_program, count))
+    return check.fail(place, fmt::format("point depth program {} does not exist", use.point_depth_program));
+  if (use.point_depth_program >= 0 && use.point_depth_bindings == nullptr)
+    return check.fail(place, "its point depth program has no bindings");
+  return check_bindings(scene, "depth binding", *use.depth_bindings, use.depth_program, place) &&
+         (use.point_depth_bindings == nullptr ||
+          check_bindings(scene, "point depth binding", *use.point_depth_bindings, use.point_depth_program, place));
 }
 
 bool check_switch(SceneCheck& scene, const PackedSwitch& one, const Place& place) {
@@ -135,6 +158,9 @@ bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place
   return scene.transform(place, shape.transform()) &&
          check.require_index(place, "mesh", shape.mesh(), check.package.meshes()->size()) &&
          check_programs(scene, shape_programs(shape, 0), place) && check_states(scene, shape, place) &&
+         (shape.projected_coords() == nullptr ||
+          check.each(&place, "projected coordinates", *shape.projected_coords(),
+                     [&](const PackedBinding* coord, const Place& at) { return check_projected_coord(scene, *coord, at); })) &&
          check.each(&place, "receives", *shape.receives(), [&](std::uint32_t map, const Place& at) {
            return check.require_index(at, "shadow map", map, scene.scene.shadow_maps()->size());
          });

@@ -201,9 +201,14 @@ void dump_programs(Text& text, const Package& package, const ShapePrograms& use)
   const auto& programs = *package.programs();
   line(text, "    bindings");
   dump_bindings(text, *use.bindings, *programs.Get(use.program));
-  if (use.depth_program < 0) return;
-  line(text, "    depth program {}", use.depth_program);
-  dump_bindings(text, *use.depth_bindings, *programs.Get(static_cast<std::uint32_t>(use.depth_program)));
+  if (use.depth_program >= 0) {
+    line(text, "    depth program {}", use.depth_program);
+    dump_bindings(text, *use.depth_bindings, *programs.Get(static_cast<std::uint32_t>(use.depth_program)));
+  }
+  if (use.point_depth_program >= 0) {
+    line(text, "    point depth program {}", use.point_depth_program);
+    dump_bindings(text, *use.point_depth_bindings, *programs.Get(static_cast<std::uint32_t>(use.point_depth_program)));
+  }
 }
 
 void dump_states(Text& text, const Package& package, const PackedShape& shape) {

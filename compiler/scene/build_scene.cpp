@@ -67,7 +67,7 @@ class SceneWalk {
       add_global_lights(shape);
       if (shape.fog == kBoundFog) shape.fog = bound_fog_.value_or(-1);
     }
-    finish_lights(context_, receives_);
+    finish_lights(context_, appearances_);
     finish_projections(context_);
     if (alone) place_alone(context_);
   }
@@ -93,7 +93,7 @@ class SceneWalk {
   bool has_background_ = false;
   std::optional<int> bound_fog_;
   std::vector<int> global_lights_;
-  std::vector<std::vector<NodeId>> receives_;  // per shape: lights that its Appearance names
+  std::vector<NodeId> appearances_;  // per shape; not valid where it has none
 
   // What the next shape inherits from the groups above it.
   int transform_ = -1;
@@ -254,12 +254,7 @@ void SceneWalk::visit_shape(NodeId node) {
   read_texture_coordinates(context_, shape);
   shape.effects.insert(shape.effects.end(), effects_.begin(), effects_.end());
   shape.casts_shadow = shape.casts_shadow && graph_.boolean(node, "castShadow");
-  std::vector<NodeId> named;
-  if (graph_.is(appearance, "Appearance")) {
-    const auto lights = graph_.children(appearance, "receiveShadows");
-    named.assign(lights.begin(), lights.end());
-  }
-  receives_.push_back(std::move(named));
+  appearances_.push_back(graph_.is(appearance, "Appearance") ? appearance : NodeId());
   context_.scene.shapes.push_back(std::move(shape));
 }
 
@@ -296,7 +291,7 @@ void SceneWalk::add_unreached_effects() {
     SceneShape shape = bare;
     shape.effects.push_back(effect);
     context_.scene.shapes.push_back(std::move(shape));
-    receives_.emplace_back();
+    appearances_.emplace_back();
   }
 }
 

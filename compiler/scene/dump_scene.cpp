@@ -23,6 +23,12 @@ std::string indices(const std::vector<int>& list) {
   return text.empty() ? "-" : text;
 }
 
+std::string received(const std::vector<ReceivedShadow>& shadows) {
+  std::vector<int> lights;
+  for (const ReceivedShadow& shadow : shadows) lights.push_back(shadow.light);
+  return indices(lights);
+}
+
 std::string dump_effect(const SceneEffect& effect) {
   std::string text = fmt::format("`{}`", effect.label);
   for (const ShaderSource& part : effect.parts) {
@@ -69,7 +75,7 @@ std::string dump_scene(const Scene& scene) {
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const SceneShape& shape = scene.shapes[i];
     text += fmt::format("shape {} {} transform {} lights {} receives {} textures {} effects {}{}{}\n", i, shape.name,
-                        shape.transform, indices(shape.lights), indices(shape.receives), shape.textures.size(),
+                        shape.transform, indices(shape.lights), received(shape.receives), shape.textures.size(),
                         indices(shape.effects), shape.shader >= 0 ? fmt::format(" shader {}", shape.shader) : "",
                         shape.fog >= 0 ? fmt::format(" fog {}", shape.fog) : "");
   }

@@ -79,7 +79,7 @@ struct SceneEffect {
 using SceneShader = SceneEffect;
 
 /// What reads a texture in GLSL: a sampler of that kind. A ShaderTexture is code alone and has none.
-enum class TextureKind : std::uint8_t { image_2d, image_3d, cube, shadow_2d, shader };
+enum class TextureKind : std::uint8_t { image_2d, image_3d, cube, shadow_2d, shader, shadow_cube };
 enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
 
 enum class TextureFilter : std::uint8_t { nearest, linear, linear_mipmap_linear, nearest_mipmap_nearest };
@@ -87,6 +87,9 @@ enum class TextureFilter : std::uint8_t { nearest, linear, linear_mipmap_linear,
 /// Texture coordinates that a mesh can hold: its own (as written, or its type's default), or a picture laid over the
 /// object's box, along its two longest sides or along all three.
 enum class VertexCoord : std::uint8_t { own, bounds_2d, bounds_3d };
+
+/// When a map's texel counts as lit: the reference depth is at most, or at least, what the map holds (`compareMode`).
+enum class DepthCompare : std::uint8_t { less_equal, greater_equal };
 
 struct SceneTexture {
   TextureKind kind = TextureKind::image_2d;
@@ -97,6 +100,7 @@ struct SceneTexture {
   VertexCoord default_coord = VertexCoord::own;  ///< Where the geometry says nothing.
   int shadow_map = -1;                           ///< Of a GeneratedShadowMap: what it reads.
   bool moments = false;                          ///< Of the same: the moments of depth, as a picture.
+  DepthCompare compare = DepthCompare::less_equal;
   std::vector<int> effects;
 };
 
@@ -195,7 +199,7 @@ struct SceneLight {
   std::uint32_t cut_off_angle = kSceneNoSlot, beam_width = kSceneNoSlot;
   std::vector<int> effects;
   bool casts_on_all = false;  ///< `shadows TRUE`.
-  int shadow_map = -1;        ///< Made when some shape looks into it.
+  int shadow_map = -1;        ///< Of its defaultShadowMap; made when some shape looks into it.
   std::uint32_t shadow_intensity = kSceneNoSlot;
 };
 
@@ -258,6 +262,13 @@ struct SceneBlend {
 
 enum class Shading : std::uint8_t { phong, gouraud, wireframe };
 
+/// The shadow of a light as a shape shows it.
+struct ReceivedShadow {
+  int light = -1;
+  int shadow_map = -1;
+  DepthCompare compare = DepthCompare::less_equal;
+};
+
 struct SceneShape {
   std::string name;  ///< DEF of the shape or its geometry's type, for people.
   NodeId node, geometry;
@@ -266,7 +277,7 @@ struct SceneShape {
   std::vector<TextureUse> textures;
   std::uint32_t multi_color = kSceneNoSlot, multi_alpha = kSceneNoSlot;  ///< Of its MultiTexture: the source FACTOR.
   std::vector<int> lights;                                               ///< In document order of the scene's light list.
-  std::vector<int> receives;                                             ///< Lights whose shadow this shape shows.
+  std::vector<ReceivedShadow> receives;                                  ///< At most one a light.
   std::vector<int> effects;  ///< Of the Appearance, then of the groups from the outermost in.
   int shader = -1;           ///< A ComposedShader.
   int fog = -1;

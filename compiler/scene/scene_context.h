@@ -30,6 +30,7 @@ struct SceneContext {
   std::vector<DynamicField> dynamic;
   SlotTable slots;
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
+  std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };
 
 /// A node's DEF name, or its type.
@@ -64,7 +65,8 @@ int add_fog(SceneContext& context, NodeId fog, int transform);
 /// A viewpoint where it stands.
 SceneViewpoint read_viewpoint(SceneContext& context, NodeId viewpoint, int transform);
 
-/// What ProjectedTextureCoordinate names; -1 for a node that cannot project. Filled by finish_projections().
+/// What ProjectedTextureCoordinate names, or the point light of a map; -1 for a node that cannot project. Filled by
+/// finish_projections().
 int projector_index(SceneContext& context, NodeId projector);
 /// Once the lights are finished: finds where projectors stand and which maps GeneratedShadowMap textures read. A texture whose
 /// light shines on its shape becomes that light's shadow there.
@@ -76,11 +78,10 @@ int add_light(SceneContext& context, NodeId light, int transform);
 void add_headlight(SceneContext& context, NodeId navigation_info);
 /// The projection of a light's map, made if it has none yet; -1 for a light that cannot have one (reported).
 int projection_of_light(SceneContext& context, int light);
-/// The map of that light: as a GeneratedShadowMap node describes it, unless it has one already; -1 when it is never drawn
-/// (reported).
+/// The map of that light as a GeneratedShadowMap node describes it; -1 when it is never drawn (reported once).
 int shadow_map_of_node(SceneContext& context, NodeId map, int light);
 /// Numbers lights as effects do, resolves who shadows whom, and makes the shadow maps that some shape looks into.
-/// `receives` holds for each shape the light nodes that its Appearance names.
-void finish_lights(SceneContext& context, const std::vector<std::vector<NodeId>>& receives);
+/// `appearances` holds that of each shape, whose receiveShadows counts; not valid for none.
+void finish_lights(SceneContext& context, const std::vector<NodeId>& appearances);
 
 }  // namespace plugc

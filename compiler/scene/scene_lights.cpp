@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -63,10 +65,11 @@ void report_never_drawn(SceneContext& context, NodeId map) {
 
 /// False, with a message, for a light that has no map.
 bool can_have_map(SceneContext& context, const SceneLight& light) {
-  if (!light.node.valid() || light.headlight) return false;
-  if (light.kind != LightKind::point) return true;
-  context.diagnostics.report(DiagnosticId::shadow_unsupported, context.graph[light.node].type_span,
-                             "a `PointLight` casts no shadow yet; use a `SpotLight` where the shadow matters");
+  if (!light.headlight) return true;
+  if (light.node.valid()) {
+    context.diagnostics.report(DiagnosticId::shadow_unsupported, context.graph[light.node].type_span,
+                               "a headlight casts no shadow: it hangs on the camera, which sees none of it");
+  }
   return false;
 }
 
@@ -115,6 +118,17 @@ void limit_moment_map(SceneContext& context, NodeId written, SceneShadowMap& map
   map.size = kMaxMomentMapSide;
 }
 
+/// Cube maps are looked up by some methods only; of pcf3_taps nothing is said, for a cube's pcf3 is made of taps anyway.
+void choose_cube_method(SceneContext& context, const SceneLight& light, NodeId written, SceneShadowMap& map) {
+  const ShadowMethod wanted = std::exchange(map.method, method_for_cube(map.method));
+  if (map.method == wanted || wanted == ShadowMethod::pcf3_taps) return;
+  const bool by_map = written.valid() && context.graph.is_written(written, "method");
+  context.diagnostics.report(DiagnosticId::shadow_method_replaced,
+                             by_map ? context.graph.field_span(written, "method") : context.graph[light.node].type_span,
+                             fmt::format("the map of a point light is not looked up by `{}`; `{}` takes its place",
+                                         to_text(wanted), to_text(map.method)));
+}
+
 /// The map of a light as `written` says, or as nobody says; its index, or -1.
 int add_shadow_map(SceneContext& context, int light_index, NodeId written) {
   const SceneLight& light = context.scene.lights[static_cast<std::size_t>(light_index)];
@@ -124,6 +138,7 @@ int add_shadow_map(SceneContext& context, int light_index, NodeId written) {
   map.method = context.options.shadows.method;
   if (context.options.shadows.size != 0) map.size = context.options.shadows.size;
   if (written.valid() && !read_written_map(context, written, map)) return -1;
+  if (light.kind == LightKind::point) choose_cube_method(context, light, written, map);
   limit_moment_map(context, written, map);
   if (!map.scale_written) map.scale = context.slots.constant(SlotType::float_, {automatic_slope_scale(map.method)});
   if (!map.bias_written) map.bias = context.slots.constant(SlotType::float_, {kAutomaticDepthBias});
@@ -136,7 +151,8 @@ int add_shadow_map(SceneContext& context, int light_index, NodeId written) {
 /// The map of a light that some shape receives; -1 when it has none that can be drawn.
 int make_shadow_map(SceneContext& context, int light_index) {
   const NodeId light = context.scene.lights[static_cast<std::size_t>(light_index)].node;
-  return add_shadow_map(context, light_index, light.valid() ? context.graph.child(light, "defaultShadowMap") : NodeId());
+  const NodeId written = light.valid() ? context.graph.child(light, "defaultShadowMap") : NodeId();
+  return written.valid() ? shadow_map_of_node(context, written, light_index) : add_shadow_map(context, light_index, {});
 }
 
 /// Order of lights as effects number them; a stable sort keeps document order within a kind.
@@ -166,8 +182,32 @@ void renumber_lights(Scene& scene) {
   }
 }
 
-bool receives_from(const SceneLight& light, const std::vector<NodeId>& named) {
-  return light.casts_on_all || (light.node.valid() && std::find(named.begin(), named.end(), light.node) != named.end());
+std::span<const NodeId> named_lights(const NodeGraph& graph, NodeId appearance) {
+  return appearance.valid() ? graph.children(appearance, "receiveShadows") : std::span<const NodeId>();
+}
+
+bool receives_from(const SceneLight& light, std::span<const NodeId> named) {
+  return light.casts_on_all || (light.node.valid() && std::ranges::find(named, light.node) != named.end());
+}
+
+/// Whether the light stands in the scene, or would if it were on.
+bool may_shine(const SceneContext& context, NodeId light) {
+  const bool off_for_good = !context.graph.boolean(light, "on") && !context.slots.may_change(light, "on");
+  return off_for_good || std::ranges::find(context.scene.lights, light, &SceneLight::node) != context.scene.lights.end();
+}
+
+/// A light that an Appearance names and that stands nowhere casts no shadow: it does not shine.
+void report_absent_lights(SceneContext& context, const std::vector<NodeId>& appearances) {
+  for (const NodeId appearance : std::set<NodeId>(appearances.begin(), appearances.end())) {
+    for (const NodeId light : named_lights(context.graph, appearance)) {
+      if (!context.graph.is(light, "X3DLightNode") || may_shine(context, light)) continue;
+      context.diagnostics.report(
+          DiagnosticId::shadow_without_light, context.graph.field_span(appearance, "receiveShadows"),
+          fmt::format("`receiveShadows` names `{}`, which stands in no group that is drawn: it does not shine, so it casts no "
+                      "shadow",
+                      node_label(context.graph, light)));
+    }
+  }
 }
 
 }  // namespace
@@ -228,13 +268,17 @@ void add_headlight(SceneContext& context, NodeId navigation_info) {
 }
 
 int shadow_map_of_node(SceneContext& context, NodeId map, int index) {
-  if (const int known = context.scene.lights[static_cast<std::size_t>(index)].shadow_map; known >= 0) return known;
-  const int made = add_shadow_map(context, index, map);
-  return context.scene.lights[static_cast<std::size_t>(index)].shadow_map = made;
+  const auto [found, added] = context.shadow_maps.try_emplace({map, index}, -1);
+  if (added) found->second = add_shadow_map(context, index, map);
+  return found->second;
 }
 
 int projection_of_light(SceneContext& context, int index) {
-  if (const int map = context.scene.lights[static_cast<std::size_t>(index)].shadow_map; map >= 0) return map;
+  // all maps of a light that authors see have one projection; its own for all shapes stays the renderer's
+  const int own = context.scene.lights[static_cast<std::size_t>(index)].shadow_map;
+  for (std::size_t i = 0; i < context.scene.shadow_maps.size(); ++i) {
+    if (context.scene.shadow_maps[i].light == index && static_cast<int>(i) != own) return static_cast<int>(i);
+  }
   const int map = add_shadow_map(context, index, {});
   if (map < 0) return map;
   SceneShadowMap& made = context.scene.shadow_maps[static_cast<std::size_t>(map)];
@@ -243,18 +287,20 @@ int projection_of_light(SceneContext& context, int index) {
   return map;
 }
 
-void finish_lights(SceneContext& context, const std::vector<std::vector<NodeId>>& receives) {
+void finish_lights(SceneContext& context, const std::vector<NodeId>& appearances) {
   Scene& scene = context.scene;
   renumber_lights(scene);
+  report_absent_lights(context, appearances);
   std::vector<bool> tried(scene.lights.size(), false);
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     SceneShape& shape = scene.shapes[i];
+    const auto named = named_lights(context.graph, appearances[i]);
     for (const int index : shape.lights) {
       SceneLight& light = scene.lights[static_cast<std::size_t>(index)];
-      if (!receives_from(light, receives[i])) continue;
+      if (!receives_from(light, named)) continue;
       if (!tried[static_cast<std::size_t>(index)]) light.shadow_map = make_shadow_map(context, index);
       tried[static_cast<std::size_t>(index)] = true;
-      if (light.shadow_map >= 0) shape.receives.push_back(index);
+      if (light.shadow_map >= 0) shape.receives.push_back({index, light.shadow_map});
     }
   }
 }

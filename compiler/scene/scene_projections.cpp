@@ -4,6 +4,9 @@
 // texture that compares.
 
 #include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
 
 #include "scene/scene_context.h"
 
@@ -15,6 +18,16 @@ int light_of(SceneContext& context, NodeId node) {
   const auto& lights = context.scene.lights;
   const auto found = std::ranges::find(lights, node, &SceneLight::node);
   return found == lights.end() ? add_light(context, node, -1) : static_cast<int>(found - lights.begin());
+}
+
+/// From which of its places a light that stands in several would project is left open by the specification.
+void report_several_places(SceneContext& context, NodeId light) {
+  const auto places = std::ranges::count(context.scene.lights, light, &SceneLight::node);
+  if (places < 2) return;
+  context.diagnostics.report(
+      DiagnosticId::light_in_several_places, context.graph[light].type_span,
+      fmt::format("this `{}` stands in {} places, and a shadow map or texture coordinates name it: they take the first",
+                  context.graph[light].info->name, places));
 }
 
 void finish_projector(SceneContext& context, NodeId node, SceneProjector& projector) {
@@ -43,16 +56,26 @@ bool is_lit(const Scene& scene, const SceneShape& shape) {
          scene.materials[static_cast<std::size_t>(shape.material)].lighting != Lighting::unlit;
 }
 
+/// The map that the shape has as a texture counts, not the one that its light has for all.
+void receive_through(SceneShape& shape, const ReceivedShadow& shadow) {
+  const auto known = std::ranges::find(shape.receives, shadow.light, &ReceivedShadow::light);
+  if (known == shape.receives.end())
+    shape.receives.push_back(shadow);
+  else
+    *known = shadow;
+}
+
 /// Takes the maps of lights that shine on the shape out of its textures, into their lights. A map with effects of its own
 /// stays a texture: they would find no other place.
 void move_maps_into_lights(Scene& scene, SceneShape& shape) {
   if (!is_lit(scene, shape)) return;
   std::erase_if(shape.textures, [&](const TextureUse& use) {
     const SceneTexture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
-    if (texture.shadow_map < 0 || texture.kind != TextureKind::shadow_2d || !texture.effects.empty()) return false;
+    const bool compares = texture.kind == TextureKind::shadow_2d || texture.kind == TextureKind::shadow_cube;
+    if (texture.shadow_map < 0 || !compares || !texture.effects.empty()) return false;
     const int index = scene.shadow_maps[static_cast<std::size_t>(texture.shadow_map)].light;
     if (std::ranges::find(shape.lights, index) == shape.lights.end()) return false;
-    if (std::ranges::find(shape.receives, index) == shape.receives.end()) shape.receives.push_back(index);
+    receive_through(shape, {index, texture.shadow_map, texture.compare});
     return true;
   });
 }
@@ -67,11 +90,22 @@ void show_moments(Scene& scene) {
   }
 }
 
+/// The lights that project something, each once.
+std::set<NodeId> projecting_lights(const SceneContext& context) {
+  std::set<NodeId> lights;
+  for (const SceneTexture& texture : context.scene.textures) {
+    if (context.graph.is(texture.node, "GeneratedShadowMap")) lights.insert(context.graph.child(texture.node, "light"));
+  }
+  for (const auto& [node, index] : context.projectors) lights.insert(node);
+  std::erase_if(lights, [&](NodeId node) { return !context.graph.is(node, "X3DLightNode"); });
+  return lights;
+}
+
 }  // namespace
 
 int projector_index(SceneContext& context, NodeId node) {
-  const bool projects = context.graph.is(node, "SpotLight") || context.graph.is(node, "DirectionalLight") ||
-                        context.graph.is(node, "Viewpoint") || context.graph.is(node, "OrthoViewpoint");
+  const bool projects =
+      context.graph.is(node, "X3DLightNode") || context.graph.is(node, "Viewpoint") || context.graph.is(node, "OrthoViewpoint");
   if (!projects) return -1;
   const auto [found, added] = context.projectors.try_emplace(node, static_cast<int>(context.scene.projectors.size()));
   if (added) context.scene.projectors.emplace_back();
@@ -80,6 +114,7 @@ int projector_index(SceneContext& context, NodeId node) {
 
 void finish_projections(SceneContext& context) {
   Scene& scene = context.scene;
+  for (const NodeId light : projecting_lights(context)) report_several_places(context, light);
   for (SceneTexture& texture : scene.textures) {
     if (context.graph.is(texture.node, "GeneratedShadowMap")) texture.shadow_map = finish_map(context, texture.node);
   }

@@ -77,12 +77,21 @@ void read_filters(const NodeGraph& graph, NodeId node, SceneTexture& texture) {
   texture.magnification = read_magnification(graph.string(properties, "magnificationFilter"));
 }
 
+/// A point light's map is a cube; one that is not to compare is a grey picture.
+void read_comparison(const NodeGraph& graph, NodeId node, SceneTexture& texture) {
+  const std::string_view mode = graph.string(node, "compareMode");
+  const bool cube = graph.is(graph.child(node, "light"), "PointLight");
+  texture.kind = mode == "NONE" ? (cube ? TextureKind::cube : TextureKind::image_2d)
+                                : (cube ? TextureKind::shadow_cube : TextureKind::shadow_2d);
+  if (mode == "COMPARE_R_GEQUAL") texture.compare = DepthCompare::greater_equal;
+}
+
 SceneTexture read_texture(SceneContext& context, NodeId node, const TextureType& type) {
   const NodeGraph& graph = context.graph;
   SceneTexture texture;
   texture.kind = type.kind;
   texture.node = node;
-  if (type.kind == TextureKind::shadow_2d && graph.string(node, "compareMode") == "NONE") texture.kind = TextureKind::image_2d;
+  if (type.kind == TextureKind::shadow_2d) read_comparison(graph, node, texture);
   texture.has_pixels = type.has_pixels;
   texture.wrap_s = read_wrap(graph, node, "repeatS", "boundaryModeS");
   texture.wrap_t = read_wrap(graph, node, "repeatT", "boundaryModeT");
@@ -174,6 +183,11 @@ void read_generator(SceneContext& context, NodeId node, const SceneTexture& text
                              fmt::format("texture coordinates in mode `{}` are not made yet; {} used", mode, instead));
 }
 
+/// No texture coordinate node knows where a vertex lies in the map of a point light: such a map brings its own.
+bool is_point_light_map(const NodeGraph& graph, NodeId texture) {
+  return graph.is(texture, "GeneratedShadowMap") && graph.is(graph.child(texture, "light"), "PointLight");
+}
+
 /// The node that gives the coordinates of a unit: of too few, the last serves all others (X3D 4.1, 18.4.5).
 NodeId unit_coordinates(const NodeGraph& graph, NodeId geometry, int unit) {
   if (!graph.has_field(geometry, "texCoord")) return {};
@@ -233,6 +247,10 @@ void read_textures(SceneContext& context, NodeId texture, NodeId transform, Scen
 void read_texture_coordinates(SceneContext& context, SceneShape& shape) {
   for (TextureUse& use : shape.textures) {
     const SceneTexture& texture = context.scene.textures[static_cast<std::size_t>(use.texture)];
+    if (is_point_light_map(context.graph, texture.node)) {
+      project_from(context, texture.node, "light", use);
+      continue;
+    }
     const NodeId given = unit_coordinates(context.graph, shape.geometry, use.unit);
     if (!given.valid()) use.coord = texture.default_coord;
     if (context.graph.is(given, "TextureCoordinateGenerator")) read_generator(context, given, texture, use);

@@ -53,6 +53,15 @@ std::optional<ShadowMethod> shadow_method_named(std::string_view name) {
   return static_cast<ShadowMethod>(found - kNames.begin());
 }
 
+ShadowMethod method_for_cube(ShadowMethod method) {
+  switch (method) {
+    case ShadowMethod::hard:
+    case ShadowMethod::bilinear:
+    case ShadowMethod::poisson: return method;
+    default: return ShadowMethod::pcf3;
+  }
+}
+
 double automatic_slope_scale(ShadowMethod method) {
   return std::max(2, kMethods[static_cast<std::size_t>(method)].kernel + 1);
 }

@@ -38,6 +38,10 @@ std::string_view to_text(ShadowMethod method);
 /// The method of that name in small letters or in capitals.
 std::optional<ShadowMethod> shadow_method_named(std::string_view name);
 
+/// What a point light's cube map is looked up by where that method is asked for: `hard`, `bilinear` and `poisson` as they are,
+/// all others by `pcf3`, whose look-ups lie across the ray from the light.
+ShadowMethod method_for_cube(ShadowMethod method);
+
 /// The factor of glPolygonOffset that keeps a plane free of false shadow, however it is turned: max(2, k + 1) for a kernel of
 /// k x k bilinear look-ups. The kernel reads texels up to (k + 1) / 2 away along either side, over which the plane may come
 /// nearer by both its slopes times that; OpenGL counts the larger slope alone (3.3 core, 3.6.4), so it must be counted twice.

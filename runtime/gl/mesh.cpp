@@ -53,8 +53,33 @@ void draw_whole(const Functions& gl, const VertexArray& empty) {
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void draw_mesh(const Functions& gl, const Mesh& mesh) {
-  gl.BindVertexArray(mesh.vertex_array.id());
+VertexArray make_vertex_array(const Functions& gl, const Mesh& mesh, const PackedMesh& packed,
+                              std::span<const ExtraStream> extra) {
+  VertexArray array = generate<VertexArray>(gl, gl.GenVertexArrays);
+  gl.BindVertexArray(array.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.id());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.id());
+  for (const PackedStream* stream : *packed.streams()) point_at_stream(gl, *stream, packed.stride());
+  for (const ExtraStream& stream : extra) {
+    gl.BindBuffer(GL_ARRAY_BUFFER, stream.buffer.id());
+    const PackedStream alone(stream.semantic, static_cast<std::uint8_t>(stream.unit), 4, 0);
+    point_at_stream(gl, alone, 4 * sizeof(float));
+  }
+  gl.BindVertexArray(0);
+  return array;
+}
+
+Buffer make_stream_buffer(const Functions& gl) {
+  return generate<Buffer>(gl, gl.GenBuffers);
+}
+
+void write_stream(const Functions& gl, const Buffer& buffer, std::span<const float> values) {
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_DYNAMIC_DRAW);
+}
+
+void draw_mesh(const Functions& gl, const Mesh& mesh, const VertexArray* vertex_array) {
+  gl.BindVertexArray(vertex_array != nullptr ? vertex_array->id() : mesh.vertex_array.id());
   gl.DrawElements(mesh.topology, mesh.index_count, GL_UNSIGNED_INT, nullptr);
 }
 

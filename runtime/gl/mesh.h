@@ -1,6 +1,8 @@
 #pragma once
 // A mesh on the GPU: one vertex buffer, one index buffer, one vertex array that fits every program.
 
+#include <span>
+
 #include "package/package_file.h"
 #include "runtime/gl/objects.h"
 
@@ -14,10 +16,24 @@ struct Mesh {
   GLsizei index_count = 0;
 };
 
+/// A stream of four floats a vertex that is not part of the mesh's own vertices.
+struct ExtraStream {
+  PackedSemantic semantic = PackedSemantic::tex_coord;
+  unsigned unit = 0;
+  Buffer buffer;
+};
+
+/// The mesh with those streams in place of its own. Refers to its buffers.
+VertexArray make_vertex_array(const Functions& gl, const Mesh& mesh, const PackedMesh& packed,
+                              std::span<const ExtraStream> extra);
+Buffer make_stream_buffer(const Functions& gl);
+void write_stream(const Functions& gl, const Buffer& buffer, std::span<const float> values);
+
 Mesh upload_mesh(const Functions& gl, const PackedMesh& mesh);
 /// Three vertices without attributes: the vertex stage makes of gl_VertexID a triangle over the whole target.
 void draw_whole(const Functions& gl, const VertexArray& empty);
 
-void draw_mesh(const Functions& gl, const Mesh& mesh);
+/// With another vertex array of that mesh, where one is given.
+void draw_mesh(const Functions& gl, const Mesh& mesh, const VertexArray* vertex_array = nullptr);
 
 }  // namespace plugc::gl

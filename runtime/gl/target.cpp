@@ -59,10 +59,10 @@ void resolve(const Functions& gl, const ColorTarget& target) {
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target.resolved.id());
 }
 
-Framebuffer make_depth_target(const Functions& gl, const Texture& texture) {
+Framebuffer make_depth_target(const Functions& gl, const Texture& texture, GLenum face) {
   Framebuffer framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture.id(), 0);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, face, texture.id(), 0);
   gl.DrawBuffer(GL_NONE);
   gl.ReadBuffer(GL_NONE);
   return framebuffer;

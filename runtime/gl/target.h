@@ -24,8 +24,8 @@ ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height
 /// Averages the samples, and binds for reading what has one sample a pixel.
 void resolve(const Functions& gl, const ColorTarget& target);
 
-/// A framebuffer whose depth is `texture` and that has no colour.
-Framebuffer make_depth_target(const Functions& gl, const Texture& texture);
+/// A framebuffer whose depth is `texture`, or that face of a cube, and that has no colour.
+Framebuffer make_depth_target(const Functions& gl, const Texture& texture, GLenum face = GL_TEXTURE_2D);
 
 /// A framebuffer whose colour is `texture` and that has no depth.
 Framebuffer make_float_target(const Functions& gl, const Texture& texture);

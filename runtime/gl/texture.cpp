@@ -109,6 +109,8 @@ Texture make_compared_texture(const Functions& gl, GLenum target, GLsizei size, 
   gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, lit.data());
   gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, reversed ? GL_GEQUAL : GL_LEQUAL);
+  gl.TexParameteri(target, GL_TEXTURE_SWIZZLE_G, GL_RED);  // without a comparison it is a grey picture
+  gl.TexParameteri(target, GL_TEXTURE_SWIZZLE_B, GL_RED);
   return texture;
 }
 
@@ -185,6 +187,19 @@ Sampler make_depth_texel_sampler(const Functions& gl) {
 
 Sampler make_depth_picture_sampler(const Functions& gl) {
   return make_depth_sampler(gl, GL_LINEAR);
+}
+
+Sampler make_greater_sampler(const Functions& gl) {
+  Sampler sampler = generate<Sampler>(gl, gl.GenSamplers);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  constexpr std::array<GLfloat, 4> far = {1, 1, 1, 1};
+  gl.SamplerParameterfv(sampler.id(), GL_TEXTURE_BORDER_COLOR, far.data());
+  return sampler;
 }
 
 void bind_texture(const Functions& gl, GLint unit, GLenum target, GLuint texture, GLuint sampler) {

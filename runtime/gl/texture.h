@@ -34,6 +34,9 @@ Sampler make_depth_texel_sampler(const Functions& gl);
 /// Reads a depth texture as a grey picture: no comparison.
 Sampler make_depth_picture_sampler(const Functions& gl);
 
+/// Reads a depth texture as lit where its texels are at most the reference depth. Outside its border all is far.
+Sampler make_greater_sampler(const Functions& gl);
+
 /// Binds to a unit; `sampler` 0 for the texture's own settings.
 void bind_texture(const Functions& gl, GLint unit, GLenum target, GLuint texture, GLuint sampler);
 

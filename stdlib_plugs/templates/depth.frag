@@ -1,4 +1,10 @@
 // Depth pass of a shadow map: nothing but depth is written.
+/* PLUG-DECLARATIONS */
+
 void main()
 {
+#ifdef POINT
+  vec4 fragment_color = vec4(0.0);
+  /* PLUG: fragment_end (fragment_color) */
+#endif
 }

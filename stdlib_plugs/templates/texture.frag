@@ -11,6 +11,9 @@ uniform samplerCube castle_texture_N;
 #ifdef SHADOW_2D
 uniform sampler2DShadow castle_texture_N;
 #endif
+#ifdef SHADOW_CUBE
+uniform samplerCubeShadow castle_texture_N;
+#endif
 in vec4 castle_TexCoordN;
 #ifdef USES_DIFFUSE
 vec4 diffuse_color;
@@ -52,6 +55,9 @@ void PLUG_main_texture_apply(inout vec4 fragment_color, const in vec3 normal_eye
 #endif
 #ifdef SHADOW_2D
   vec4 texture_color = vec4(vec3(textureProj(castle_texture_N, tex_coord)), 1.0);
+#endif
+#ifdef SHADOW_CUBE
+  vec4 texture_color = vec4(vec3(texture(castle_texture_N, vec4(tex_coord.stp, min(length(tex_coord.stp), 1.0)))), 1.0);
 #endif
 #ifdef SHADER
   vec4 texture_color = vec4(1.0, 0.0, 1.0, 1.0);

@@ -106,7 +106,7 @@ TEST_F(RecipeTest, LightsPerFragmentWhereAShadowFalls) {
   shape_.shading = Shading::gouraud;
   light(LightKind::spot);
   EXPECT_TRUE(make().gouraud);
-  shape_.receives = {0};
+  shape_.receives = {{0, 0}};
   scene_.lights[0].shadow_intensity = slot({1});
   scene_.lights[0].shadow_map = 0;
   scene_.shadow_maps.resize(1);
