@@ -33,6 +33,17 @@ void place_scene(LoadedScene& scene) {
   if (scene.placed_revision == scene.slots.revision()) return;
   scene.world = place(*scene.package, *scene.packed, scene.slots);
   scene.placed_revision = scene.slots.revision();
+  scene.placed_for.reset();
+}
+
+/// Turns what has to face the viewer. True where something may stand elsewhere now, the camera too.
+bool turn_billboards(LoadedScene& scene, const View& camera) {
+  if (scene.packed->billboards() == nullptr || scene.packed->billboards()->size() == 0) return false;
+  const Viewer viewer{glm::dvec3(camera.eye_to_world[3]), glm::dvec3(camera.eye_to_world[1])};
+  if (scene.placed_for == viewer) return false;
+  scene.world = place(*scene.package, *scene.packed, scene.slots, &viewer);
+  scene.placed_for = viewer;
+  return true;
 }
 
 /// Turns the map's depths into moments, and blurs them along rows and then along columns.
@@ -124,8 +135,9 @@ FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const Fr
   place_scene(scene);
   std::set<std::uint32_t> programs;
   const double aspect = static_cast<double>(target.width) / target.height;
-  const Camera camera{make_camera(*scene.packed, scene.slots, scene.world, options.viewpoint, aspect, messages),
-                      bound_viewpoint(*scene.packed, options.viewpoint)};
+  const auto look = [&] { return make_camera(*scene.packed, scene.slots, scene.world, options.viewpoint, aspect, messages); };
+  Camera camera{look(), bound_viewpoint(*scene.packed, options.viewpoint)};
+  if (turn_billboards(scene, camera.view)) camera.view = look();
   if (options.shadows) draw_shadow_maps(gl, scene, camera.view, programs, statistics, messages);
   draw_picture(gl, scene, target, camera, options.shadows, programs, statistics, messages);
   statistics.programs_used = static_cast<std::uint32_t>(programs.size());

@@ -5,6 +5,7 @@
 #include "runtime/world.h"
 
 #include <cmath>
+#include <map>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -23,6 +24,25 @@ PlacedTransform place_transform(const PackedTransform& packed, const PlacedTrans
                                                    slots.vector4(packed.scale_orientation(), kNoRotation),
                                                    slots.vector3(packed.center(), glm::dvec3(0)));
   return placed;
+}
+
+/// About `axis` until local +z points to the eye, as far as that goes; without an axis until it does, local +y being as the
+/// viewer's up. Nothing where the eye stands on the axis.
+glm::dmat4 billboard_turn(const glm::dvec3& axis, const glm::dmat4& to_world, const Viewer& viewer) {
+  const glm::dmat4 to_local = glm::inverse(to_world);
+  const glm::dvec3 eye(to_local * glm::dvec4(viewer.eye, 1));
+  const double distance = glm::length(eye);
+  if (!(distance > 0) || !std::isfinite(distance)) return glm::dmat4(1.0);
+  if (axis == glm::dvec3(0)) {
+    const View looking = look_along(glm::dvec3(0), -eye, glm::dmat3(to_local) * viewer.up);
+    return looking.eye_to_world;
+  }
+  const glm::dvec3 about = glm::normalize(axis);
+  const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, about) * about; };
+  const glm::dvec3 from = across({0, 0, 1}), to = across(eye / distance);
+  constexpr double kParallel = 1e-9;
+  if (!(glm::length(from) > kParallel && glm::length(to) > kParallel)) return glm::dmat4(1.0);
+  return rotation_matrix(glm::dvec4(about, std::atan2(glm::dot(about, glm::cross(from, to)), glm::dot(from, to))));
 }
 
 bool is_on(const PackedSwitch& one, const PackedScene& scene, const Slots& slots, const World& world) {
@@ -49,11 +69,19 @@ const PlacedTransform& World::at(std::int32_t transform) const {
   return transform < 0 ? root_ : transforms[static_cast<std::size_t>(transform)];
 }
 
-World place(const Package& package, const PackedScene& scene, const Slots& slots) {
+World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer) {
   World world;
   world.transforms.reserve(scene.transforms()->size());
+  std::map<std::uint32_t, std::uint32_t> axes;  // of billboards, by transform
+  if (viewer != nullptr && scene.billboards() != nullptr)
+    for (const PackedBillboard* billboard : *scene.billboards()) axes[billboard->transform()] = billboard->axis();
   for (const PackedTransform* packed : *scene.transforms()) {
+    const auto index = static_cast<std::uint32_t>(world.transforms.size());
     world.transforms.push_back(place_transform(*packed, world.at(packed->parent()), slots));
+    if (const auto axis = axes.find(index); axis != axes.end()) {
+      glm::dmat4& matrix = world.transforms.back().matrix;
+      matrix = matrix * billboard_turn(slots.vector3(axis->second, {0, 1, 0}), matrix, *viewer);
+    }
   }
   for (const PackedShape* shape : *scene.shapes()) {
     const PlacedTransform& placed = world.at(shape->transform());

@@ -32,7 +32,15 @@ struct World {
   PlacedTransform root_;
 };
 
-World place(const Package& package, const PackedScene& scene, const Slots& slots);
+/// Whoever looks at a scene whose Billboards turn: where the eye is, and its upward direction.
+struct Viewer {
+  glm::dvec3 eye{0};
+  glm::dvec3 up{0, 1, 0};
+  bool operator==(const Viewer&) const = default;
+};
+
+/// Without a viewer, Billboards stay as they are written.
+World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer = nullptr);
 
 /// Whether the light is on, and in no branch that a Switch has not chosen.
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world);

@@ -161,6 +161,10 @@ void pack_transforms(const Scene& scene, PackedSceneT& packed) {
     packed.transforms.emplace_back(t.parent, t.translation, t.rotation, t.scale, t.scale_orientation, t.center, t.switch_slot,
                                    t.choice);
   }
+  for (std::size_t i = 0; i < scene.transforms.size(); ++i) {
+    const std::uint32_t axis = scene.transforms[i].billboard_axis;
+    if (axis != kSceneNoSlot) packed.billboards.emplace_back(static_cast<std::uint32_t>(i), axis);
+  }
   for (const SceneTextureTransform& t : scene.texture_transforms) {
     packed.texture_transforms.emplace_back(t.translation, t.rotation, t.scale, t.center);
   }

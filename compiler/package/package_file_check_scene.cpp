@@ -72,6 +72,11 @@ bool check_map_programs(SceneCheck& scene, const PackedShadowMap& map, const Pla
          check_bindings(scene, "blur binding", *map.blur_bindings(), map.blur_program(), place);
 }
 
+bool check_billboard(SceneCheck& scene, const PackedBillboard& billboard, const Place& place) {
+  return scene.check.require_index(place, "transform", billboard.transform(), scene.scene.transforms()->size()) &&
+         scene.present_slot(place, "axis", billboard.axis(), 3);
+}
+
 bool check_texture_transform(SceneCheck& scene, const PackedTextureTransform& transform, const Place& place) {
   return scene.slot(place, "translation", transform.translation(), 2) &&
          scene.slot(place, "rotation", transform.rotation(), 1) && scene.slot(place, "scale", transform.scale(), 2) &&
@@ -93,6 +98,9 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          check.each(
              &place, "transform", *packed.transforms(),
              [&](const PackedTransform* transform, const Place& at) { return check_transform(scene, *transform, at); }) &&
+         (packed.billboards() == nullptr ||
+          check.each(&place, "billboard", *packed.billboards(),
+                     [&](const PackedBillboard* one, const Place& at) { return check_billboard(scene, *one, at); })) &&
          check.each(&place, "light", *packed.lights(),
                     [&](const PackedLight* light, const Place& at) { return check_light(scene, *light, at); }) &&
          check.each(&place, "shadow map", *packed.shadow_maps(),

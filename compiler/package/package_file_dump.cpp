@@ -160,6 +160,12 @@ void dump_transform(Text& text, const PackedTransform& transform, std::size_t in
   if (transform.switch_slot() != kNoSlot) line(text, "    while slot {} is {}", transform.switch_slot(), transform.choice());
 }
 
+void dump_billboards(Text& text, const PackedScene& scene) {
+  if (scene.billboards() == nullptr) return;
+  for (const PackedBillboard* one : *scene.billboards())
+    line(text, "  transform {} turns to the viewer about slot {}", one->transform(), one->axis());
+}
+
 void dump_light(Text& text, const PackedLight& light, std::size_t index) {
   line(text, "  light {} {}: {}{}, transform {}", index, quoted(*light.name()), EnumNamePackedLightKind(light.kind()),
        light.headlight() ? " headlight" : "", light.transform());
@@ -254,6 +260,7 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   line(text, "scene {} {}: background color slot {}", index, quoted(*scene.name()), slot(scene.background_color()));
   dump_slots(text, scene);
   each(*scene.transforms(), [&](const PackedTransform& transform, std::size_t i) { dump_transform(text, transform, i); });
+  dump_billboards(text, scene);
   each(*scene.lights(), [&](const PackedLight& light, std::size_t i) { dump_light(text, light, i); });
   each(*scene.shadow_maps(), [&](const PackedShadowMap& map, std::size_t i) { dump_shadow_map(text, package, map, i); });
   each(*scene.texture_transforms(),

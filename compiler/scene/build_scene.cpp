@@ -28,13 +28,14 @@ constexpr double kGlobalAmbient = 0.2;
 constexpr int kBoundFog = -2;
 
 /// How the walk treats a node.
-enum class Role : std::uint8_t { other, shape, switch_, lod, transform, group, inlined, effect, light, local_fog };
+enum class Role : std::uint8_t { other, shape, switch_, lod, transform, billboard, group, inlined, effect, light, local_fog };
 
 Role role_of(const NodeInfo& node) {
-  static constexpr std::array<std::pair<std::string_view, Role>, 11> kRoles = {{{"Shape", Role::shape},
+  static constexpr std::array<std::pair<std::string_view, Role>, 12> kRoles = {{{"Shape", Role::shape},
                                                                                 {"Switch", Role::switch_},
                                                                                 {"LOD", Role::lod},
                                                                                 {"Transform", Role::transform},
+                                                                                {"Billboard", Role::billboard},
                                                                                 {"Inline", Role::inlined},
                                                                                 {"X3DGroupingNode", Role::group},
                                                                                 {"Effect", Role::effect},
@@ -181,6 +182,13 @@ void SceneWalk::visit(NodeId node) {
       break;
     }
     case Role::transform: visit_transform(node); break;
+    case Role::billboard: {
+      SceneTransform transform;
+      transform.parent = transform_;
+      transform.billboard_axis = context_.slots.slot(node, "axisOfRotation");
+      visit_below(transform, graph_.children(node, "children"));
+      break;
+    }
     case Role::group: visit_list(graph_.children(node, "children")); break;
     case Role::inlined:
       check_top(graph_.children(node, "children"));

@@ -40,7 +40,8 @@ struct SceneTransform {
   int parent = -1;
   std::uint32_t translation = kSceneNoSlot, rotation = kSceneNoSlot, scale = kSceneNoSlot;
   std::uint32_t scale_orientation = kSceneNoSlot, center = kSceneNoSlot;
-  std::uint32_t switch_slot = kSceneNoSlot;  ///< With it: drawn only while the slot equals `choice`.
+  std::uint32_t billboard_axis = kSceneNoSlot;  ///< With it: turned to the viewer about that axis (X3D 4.1, 23.4.1).
+  std::uint32_t switch_slot = kSceneNoSlot;     ///< With it: drawn only while the slot equals `choice`.
   int choice = 0;
 };
 
