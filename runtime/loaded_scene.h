@@ -24,7 +24,7 @@ struct LoadedScene {
   ResourcePool resources;
   std::vector<ShadowMap> shadow_maps;
   std::map<std::uint32_t, ProjectedCoords> projected_coords = {};  ///< By shape.
-  std::optional<Viewer> placed_for = {};  ///< Whom Billboards are turned to.
+  std::optional<Viewer> placed_for = {};                           ///< Whom Billboards are turned to.
 
   std::uint32_t shape_count() const { return packed->shapes()->size(); }
   const PackedShape& shape(std::uint32_t index) const { return *packed->shapes()->Get(index); }

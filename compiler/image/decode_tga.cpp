@@ -100,6 +100,7 @@ DecodedImage decode_tga(std::string_view bytes) {
   Image image;
   allocate(image, header.width, header.height, header.pixel_bytes());
   copy_pixels(pixels, header, image);
+  image.alpha = alpha_use(image);
   return {std::move(image), {}};
 }
 

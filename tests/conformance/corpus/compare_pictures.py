@@ -25,6 +25,9 @@ compositing_shaders/texture_effect_multi
 compositing_shaders/time_to_shader
 shaders/shaders_inlined
 shaders/two_textures
+shadow_maps/castle_with_trees/castle_with_trees_processed
+shadow_maps/primitives_with_commonsurfaceshader
+shadow_maps/projective_texturing_simple
 shadow_maps/teapot
 """.split()
 

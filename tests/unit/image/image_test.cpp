@@ -164,6 +164,7 @@ TEST(Tga, IsUnpacked) {
   const Decoded decoded = decode(tga(10, 32, 8, "\x82\1\2\3\4\0\5\6\7\10"sv));  // a pixel three times, then one
   ASSERT_TRUE(decoded.image) << decoded.messages.front();
   EXPECT_EQ(decoded.image->channels, 4U);
+  EXPECT_EQ(decoded.image->alpha, AlphaUse::blended);
   EXPECT_THAT(decoded.image->pixels, ElementsAre(3, 2, 1, 4, 3, 2, 1, 4, 3, 2, 1, 4, 7, 6, 5, 8));
 }
 
