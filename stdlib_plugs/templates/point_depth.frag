@@ -1,11 +1,17 @@
 // Depth pass of a point light's shadow map: what is stored is the distance to the light, as a share of the largest. OpenGL moves
-// depths that a program writes by no polygon offset, so it is done here: by the slope, and by units of 24 bits.
+// depths that a program writes by no polygon offset, so it is done here: by the slope, and by units of 24 bits. Where the light
+// stands straight in front of a plane there is no slope, but distances grow all around, with the square of the way: the last term is
+// that growth over as many texels as the slope's factor allows for to either side.
 in vec4 castle_vertex_eye;
 uniform vec3 castle_DepthPassRange;  // 1 / the largest distance, the slope's factor, the constant part
 
 void PLUG_fragment_end(const in vec4 fragment_color)
 {
-  float depth = length(castle_vertex_eye.xyz) * castle_DepthPassRange.x;
+  vec3 from_light = castle_vertex_eye.xyz;
+  float depth = length(from_light) * castle_DepthPassRange.x;
   float slope = max(abs(dFdx(depth)), abs(dFdy(depth)));
-  gl_FragDepth = depth + castle_DepthPassRange.y * slope + castle_DepthPassRange.z;
+  float step_squared = max(dot(dFdx(from_light), dFdx(from_light)), dot(dFdy(from_light), dFdy(from_light)));
+  float reach = 0.5 * castle_DepthPassRange.y;
+  float growth = 0.5 * reach * reach * step_squared / length(from_light) * castle_DepthPassRange.x;
+  gl_FragDepth = depth + castle_DepthPassRange.y * slope + growth + castle_DepthPassRange.z;
 }

@@ -68,6 +68,16 @@ TEST(PointLights, LeaveNoFalseShadowOnAFloorAcrossTheFacesOfTheirCube) {
   });
 }
 
+TEST(PointLights, LeaveNoFalseShadowWhereTheyStandStraightInFrontOfAFloor) {
+  // a small map, whose texels are wide: around (0, 0) distances have no slope, yet grow to all sides
+  std::string text = floor_text("shadows TRUE", "");
+  text.replace(text.find("size 512"), 8, "size 64 method \"PCF3\"");
+  for_each_pixel(draw(text), [](double x, double y, const Color& color) {
+    if (std::max(std::abs(x), std::abs(y)) > 0.4) return;
+    EXPECT_THAT(color, IsColor(lit_floor(x, y))) << "at " << x << ", " << y;
+  });
+}
+
 TEST(PointLights, LetNothingThroughAtTheEdgesAndCornersOfTheirCube) {
   // a closed box around the lamp, below it cut off by nothing: the floor stands outside
   const std::string closed =
