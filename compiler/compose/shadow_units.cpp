@@ -13,9 +13,7 @@ bool has_gathers(Target target) {
 /// The function `shadow_kernel_N` of a method that calls one.
 std::vector<ShadowUnit> kernel_units(ShadowMethod method, Target target) {
   switch (method) {
-    case ShadowMethod::pcf2:
-      if (has_gathers(target)) return {{"shadows/gather2.glsl", {}}};
-      [[fallthrough]];
+    case ShadowMethod::pcf2:  // as many gathers as look-ups would be needed, and they are no quicker
     case ShadowMethod::pcf2_taps: return {{"shadows/taps.glsl", {"TAPS_2"}}};
     case ShadowMethod::pcf3:
       if (has_gathers(target)) return {{"shadows/gather3.glsl", {}}};

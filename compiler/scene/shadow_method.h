@@ -12,9 +12,9 @@ namespace plugc {
 enum class ShadowMethod : std::uint8_t {
   hard,       ///< The nearest texel.
   bilinear,   ///< Four texels, compared and weighted by the hardware.
-  pcf2,       ///< The mean of 2 x 2 bilinear look-ups a texel apart, through gathers where the target has them.
-  pcf3,       ///< Of 3 x 3.
-  pcf4,       ///< Of 4 x 4.
+  pcf2,       ///< The mean of 2 x 2 bilinear look-ups a texel apart.
+  pcf3,       ///< Of 3 x 3, through gathers where the target has them.
+  pcf4,       ///< Of 4 x 4, the same.
   pcf2_taps,  ///< The same three, never through gathers: to measure against.
   pcf3_taps,
   pcf4_taps,
@@ -45,10 +45,11 @@ ShadowMethod method_for_cube(ShadowMethod method);
 /// The factor of glPolygonOffset that keeps a plane free of false shadow, however it is turned: max(2, k + 1) for a kernel of
 /// k x k bilinear look-ups. The kernel reads texels up to (k + 1) / 2 away along either side, over which the plane may come
 /// nearer by both its slopes times that; OpenGL counts the larger slope alone (3.3 core, 3.6.4), so it must be counted twice.
-/// The nearest texel is half a texel away, so 1 would do; 2 leaves room for the rounding of depth. `sharp3` and `poisson` (a
-/// disc of 1.5 texels around the place) are as wide as `pcf3`. Moments tell of a plane by themselves how its depths spread, so
-/// `vsm` and `evsm` need no more than the least; `msm` counts as 2, so that a plane lies behind 1.6 standard deviations of its
-/// own blurred depths, where the least share that four moments allow in front of it is nothing.
+/// The nearest texel is half a texel away, so 1 would do; 2 leaves room for the rounding of depth.
+/// `poisson` (a disc of 1.5 texels around the place) counts as `pcf3`; `sharp3` as k = 2, as the corners of its kernel that then
+/// still lie in front are too little to reach the middle of its edge. Moments tell of a plane by themselves how its depths
+/// spread, so `vsm` and `evsm` need no more than the least; `msm` counts as 2, so that a plane lies behind 1.6 standard
+/// deviations of its own blurred depths, where the least share that four moments allow in front of it is nothing.
 double automatic_slope_scale(ShadowMethod method);
 /// glPolygonOffset's other number: steps of the depth format, for planes that face the light, whose depth is rounded too. The
 /// default of the field `bias`.
