@@ -213,6 +213,7 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   prepare_tangents(parts);
   prepare_effect_code(parts.scene, prepared, diagnostics);
   mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);
+  replace_untraceable_maps(graph, prepared.effects, parts.scene, diagnostics);
   prepare_recipes(prepared);
   return prepared;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace plugc {
 namespace {
 
@@ -30,7 +32,47 @@ bool names_a_map(const EffectCode& code) {
   });
 }
 
+/// Whether its vertices may be elsewhere than its geometry says.
+bool may_move(const SceneShape& shape, const std::vector<EffectCode>& effects, const Scene& scene) {
+  const auto moves = [&](int effect) {
+    const EffectCode& code = effects[static_cast<std::size_t>(effect)];
+    return code.moves_vertices || code.has_geometry_main;
+  };
+  const auto texture_moves = [&](const TextureUse& use) {
+    return use.texture >= 0 && std::ranges::any_of(scene.textures[static_cast<std::size_t>(use.texture)].effects, moves);
+  };
+  return shape.shader >= 0 || std::ranges::any_of(shape.effects, moves) || std::ranges::any_of(shape.textures, texture_moves);
+}
+
+/// Why a map cannot be traced; empty when it can.
+std::string obstacle(const SceneShadowMap& map, const std::vector<EffectCode>& effects, const Scene& scene) {
+  if (map.author_visible) return "its map is looked into";
+  for (const SceneShape& shape : scene.shapes) {
+    const bool shows = std::ranges::find(shape.receives, map.light) != shape.receives.end();
+    if ((shape.casts_shadow || shows) && may_move(shape, effects, scene))
+      return fmt::format("a shader may move the vertices of `{}`", shape.name);
+    const auto discards = [&](int effect) { return effects[static_cast<std::size_t>(effect)].discards; };
+    if (shape.casts_shadow && std::ranges::any_of(shape.effects, discards))
+      return fmt::format("an effect cuts holes into `{}`", shape.name);
+  }
+  return "";
+}
+
 }  // namespace
+
+void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCode>& effects, Scene& scene,
+                              Diagnostics& diagnostics) {
+  for (SceneShadowMap& map : scene.shadow_maps) {
+    if (map.method != ShadowMethod::traced) continue;
+    const std::string why = obstacle(map, effects, scene);
+    if (why.empty()) continue;
+    map.method = kDefaultShadowMethod;
+    diagnostics.report(DiagnosticId::shadow_unsupported,
+                       graph[scene.lights[static_cast<std::size_t>(map.light)].node].type_span,
+                       fmt::format("this light's shadow cannot be traced: {}; it comes from a map (`{}`)", why,
+                                   to_text(kDefaultShadowMethod)));
+  }
+}
 
 void mark_author_visible_maps(const std::vector<EffectCode>& effects, const std::vector<EffectCode>& shaders, Scene& scene) {
   for (const SceneShape& shape : scene.shapes) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "compose/code_unit.h"
 #include "scene/scene.h"
 
@@ -12,5 +13,10 @@ namespace plugc {
 /// or by the names castle_shadow_map_N, castle_projector_matrix_N and castle_projected_tex_coord_N (which light they mean is
 /// known program by program only, so one of these words marks every map).
 void mark_author_visible_maps(const std::vector<EffectCode>& effects, const std::vector<EffectCode>& shaders, Scene& scene);
+
+/// Gives maps that cannot be traced the default method, and says why: an effect or a whole shader may move vertices of a shape
+/// that casts or shows the shadow, or the author looks into the map. After mark_author_visible_maps().
+void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCode>& effects, Scene& scene,
+                              Diagnostics& diagnostics);
 
 }  // namespace plugc

@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "runtime/gl/mesh.h"
-#include "runtime/gl/pass.h"
 #include "runtime/gl/program.h"
 #include "runtime/uniforms.h"
 
@@ -32,6 +31,8 @@ BoundTexture shadow_texture(LoadedScene& scene, const Pass& pass, const PackedBi
   const ShadowMap& map = scene.shadow_maps[binding.a()];
   const gl::Texture& texture = map.texture;
   const bool drawn = texture && map.in_use && pass.shadows && !pass.depth_only;
+  if (scene.packed->shadow_maps()->Get(binding.a())->method() == PackedShadowMethod::traced)
+    return {drawn ? texture.id() : scene.resources.stand_in(type).id()};
   const bool cube = gl::texture_target(type) == GL_TEXTURE_CUBE_MAP;
   if (drawn && compares(type) && cube == map.view.all_around) {
     const bool greater = binding.source() == PackedSource::shadow_map_greater;
@@ -116,12 +117,6 @@ void apply_bindings(const gl::Functions& gl, LoadedScene& scene, const Pass& pas
   }
 }
 
-gl::DrawState state_of(const PackedShape& shape, const glm::dmat4& object_to_world) {
-  const bool mirrored = glm::determinant(glm::dmat3(object_to_world)) < 0;
-  return {shape.blended(),   shape.blend_source(),         shape.blend_destination(),
-          shape.cull_back(), shape.front_cw() != mirrored, shape.wireframe()};
-}
-
 double distance_from_eye(const Box& bounds, const View& view) {
   if (bounds.empty()) return 0;
   const glm::dvec3 seen(view.world_to_eye * glm::dvec4(bounds.center(), 1));
@@ -166,7 +161,7 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
                              pass.view,       pass.shadow_views, pass.depth_only ? &pass.view : nullptr,
                              object_to_world, pass.depth_range,  pass.bound_viewpoint};
   apply_bindings(functions, scene, pass, program, bindings_in(use, pass), inputs, messages);
-  if (!pass.depth_only) gl::set_draw_state(functions, state_of(shape, object_to_world));
+  if (!pass.depth_only) gl::set_draw_state(functions, draw_state_of(shape, object_to_world));
   gl::draw_mesh(functions, mesh, vertex_array_of(functions, scene, pass, index, inputs));
   pass.programs.insert(program_index);
   return true;
@@ -183,6 +178,12 @@ bool draw_over_map(const gl::Functions& functions, LoadedScene& scene, Pass& pas
   gl::draw_whole(functions, scene.resources.no_attributes());
   pass.programs.insert(program_index);
   return true;
+}
+
+gl::DrawState draw_state_of(const PackedShape& shape, const glm::dmat4& object_to_world) {
+  const bool mirrored = glm::determinant(glm::dmat3(object_to_world)) < 0;
+  return {shape.blended(),   shape.blend_source(),         shape.blend_destination(),
+          shape.cull_back(), shape.front_cw() != mirrored, shape.wireframe()};
 }
 
 std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view) {

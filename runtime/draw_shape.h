@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "runtime/gl/pass.h"
 #include "runtime/loaded_scene.h"
 #include "runtime/render.h"
 
@@ -27,6 +28,9 @@ bool draw_over_map(const gl::Functions& functions, LoadedScene& scene, Pass& pas
 
 /// False when nothing was drawn: the driver rejected the program, or the mesh is empty.
 bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t shape, Messages& messages);
+
+/// How a shape is drawn into a picture: its faces, its blending.
+gl::DrawState draw_state_of(const PackedShape& shape, const glm::dmat4& object_to_world);
 
 /// The visible shapes that the view may show. Opaque ones first, by program, then state, then mesh, so that neighbours
 /// share; then the blended ones from far to near.

@@ -10,6 +10,7 @@
 #include "runtime/projected_coords.h"
 #include "runtime/resource_pool.h"
 #include "runtime/shadow_map.h"
+#include "runtime/traced_shadows.h"
 #include "runtime/world.h"
 
 namespace plugc {
@@ -25,6 +26,7 @@ struct LoadedScene {
   std::vector<ShadowMap> shadow_maps;
   std::map<std::uint32_t, ProjectedCoords> projected_coords = {};  ///< By shape.
   std::optional<Viewer> placed_for = {};                           ///< Whom Billboards are turned to.
+  TracedShadows traced = {};
 
   std::uint32_t shape_count() const { return packed->shapes()->size(); }
   const PackedShape& shape(std::uint32_t index) const { return *packed->shapes()->Get(index); }

@@ -138,7 +138,10 @@ FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const Fr
   const auto look = [&] { return make_camera(*scene.packed, scene.slots, scene.world, options.viewpoint, aspect, messages); };
   Camera camera{look(), bound_viewpoint(*scene.packed, options.viewpoint)};
   if (turn_billboards(scene, camera.view)) camera.view = look();
-  if (options.shadows) draw_shadow_maps(gl, scene, camera.view, programs, statistics, messages);
+  if (options.shadows) {
+    draw_shadow_maps(gl, scene, camera.view, programs, statistics, messages);
+    trace_shadows(gl, scene, camera.view, target.width, target.height, messages);
+  }
   draw_picture(gl, scene, target, camera, options.shadows, programs, statistics, messages);
   statistics.programs_used = static_cast<std::uint32_t>(programs.size());
   return statistics;

@@ -71,7 +71,7 @@ void add_moments(const gl::Functions& functions, PackedShadowMethod method, Shad
 ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap& packed, const PackedLight& light,
                           Messages& messages) {
   ShadowMap map;
-  if (packed.update() == PackedShadowUpdate::none) return map;
+  if (packed.update() == PackedShadowUpdate::none || packed.method() == PackedShadowMethod::traced) return map;
   const bool cube = light.kind() == PackedLightKind::point;
   const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
   const GLsizei largest = gl::max_target_side(functions);

@@ -18,7 +18,7 @@ struct MapReader {
 };
 
 struct ShadowMap {
-  gl::Texture texture;  ///< None when the map is never drawn: whoever reads it is lit.
+  gl::Texture texture;  ///< None when the map is never drawn: whoever reads it is lit. Traced: see traced_shadows.h.
   gl::Framebuffer framebuffer;
   gl::Texture moments, unblurred;  ///< Of a method that keeps moments; the second one is blurred along rows alone.
   gl::Framebuffer moments_target, unblurred_target;

@@ -45,7 +45,7 @@ std::optional<AlphaTest> find_alpha_test(const Package& package, const ShapeProg
     if (binding->source() != PackedSource::texture) continue;
     const PackedTexture& texture = *package.textures()->Get(binding->a());
     const PackedImage& image = *package.images()->Get(texture.image());
-    if (image.channels() == 2 || image.channels() == 4) return AlphaTest{&texture, &image};
+    if (image.channels() == 2 || image.channels() == 4) return AlphaTest{binding->a(), &texture, &image};
   }
   return std::nullopt;
 }
@@ -89,6 +89,18 @@ std::vector<Surface> read_surfaces(const Package& package, const PackedScene& sc
     surfaces.push_back(std::move(surface));
   }
   return surfaces;
+}
+
+std::vector<Plane> world_planes(const Surface& surface) {
+  std::vector<Plane> planes;
+  const auto world = [&](std::size_t i) { return glm::dvec3(surface.to_world * glm::dvec4(surface.points[i], 1)); };
+  for (std::size_t i = 0; i + 2 < surface.points.size(); i += 3) {
+    const glm::dvec3 corner = world(i);
+    const glm::dvec3 across = glm::cross(world(i + 1) - corner, world(i + 2) - corner);
+    const double twice_area = glm::length(across);
+    planes.push_back({corner, twice_area > 0 ? across / twice_area : glm::dvec3(0)});
+  }
+  return planes;
 }
 
 double alpha_at(const AlphaTest& test, const glm::dvec2& tex_coord) {

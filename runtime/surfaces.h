@@ -9,13 +9,14 @@
 #include <glm/glm.hpp>
 
 #include "package/package_file.h"
-#include "runtime/events.h"
+#include "runtime/camera_rays.h"
 #include "runtime/world.h"
 
 namespace plugc {
 
 /// Texels below `cutoff` are holes. Points into the package.
 struct AlphaTest {
+  std::uint32_t texture_index = 0;  ///< Of the package.
   const PackedTexture* texture = nullptr;
   const PackedImage* image = nullptr;
   double cutoff = 0.5;  ///< stdlib_plugs/templates/alpha_test.frag
@@ -34,6 +35,9 @@ struct Surface {
 
 /// The visible shapes of the scene. Lines and points are left out.
 std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const World& world);
+
+/// The planes of its triangles, normals by the order of their corners.
+std::vector<Plane> world_planes(const Surface& surface);
 
 /// The alpha of the texture there: linear between texels of the full picture (or the nearest, where the texture says so).
 double alpha_at(const AlphaTest& test, const glm::dvec2& tex_coord);

@@ -11,7 +11,7 @@ namespace plugc {
 struct FitMemory {
   LightFrame light;
   glm::dvec4 window{0};  ///< Left, bottom, right, top in the light's own space: lengths, or tangents from a spot light.
-  Interval depth;          ///< Along the light's direction.
+  Interval depth;        ///< Along the light's direction.
   double coarseness = 1;
   bool any = false;  ///< False: nothing was fitted yet.
 };

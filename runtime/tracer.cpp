@@ -156,6 +156,20 @@ double Tracer::scene_size() const {
 
 #endif
 
+LightSource light_source(const PackedScene& scene, std::uint32_t light, const Slots& slots, const World& world) {
+  const PackedLight& packed = *scene.lights()->Get(light);
+  const glm::dmat4& place = world.at(packed.transform()).matrix;
+  LightSource source;
+  source.directional = packed.kind() == PackedLightKind::directional;
+  source.towards = -glm::normalize(glm::dmat3(place) * slots.vector3(packed.direction(), {0, 0, -1}));
+  source.place = glm::dvec3(place * glm::dvec4(slots.vector3(packed.location(), glm::dvec3(0)), 1));
+  return source;
+}
+
+glm::dvec3 towards_light(const LightSource& light, const glm::dvec3& point) {
+  return light.directional ? light.towards : glm::normalize(light.place - point);
+}
+
 Tracer::Tracer() : state_(std::make_unique<State>()) {}
 
 Tracer::~Tracer() = default;

@@ -25,6 +25,11 @@ struct LightSource {
   glm::dvec3 place{0};
 };
 
+LightSource light_source(const PackedScene& scene, std::uint32_t light, const Slots& slots, const World& world);
+
+/// Unit vector from the point.
+glm::dvec3 towards_light(const LightSource& light, const glm::dvec3& point);
+
 /// The casters of a scene. Coordinates are taken from the scene's centre, so that a scene far from its origin loses nothing
 /// when they become floats.
 class Tracer {

@@ -97,6 +97,7 @@ void update_projection(LoadedScene& scene, std::uint32_t index, Messages& messag
 bool update_shadow_map(LoadedScene& scene, std::uint32_t index, const View& camera, Messages& messages) {
   ShadowMap& map = scene.shadow_maps[index];
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
+  if (packed.method() == PackedShadowMethod::traced) return false;
   if (map.only_projects) update_projection(scene, index, messages);
   map.in_use = matters(scene, packed, map);
   if (!map.in_use) return false;

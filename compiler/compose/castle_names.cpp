@@ -49,6 +49,7 @@ constexpr Pattern kPatterns[] = {
     {"castle_shadow_map_#", {uniform, "sampler2DShadow", Source::shadow_map}},
     {"castle_projector_matrix_#", {uniform, "mat4", Source::projector_matrix}},
     {"castle_shadow_intensity_#", {uniform, "float", Source::shadow_intensity}},
+    {"castle_shadow_mask_#", {uniform, "sampler2D", Source::shadow_map}},
     {"castle_shadow_moments_#", {uniform, "sampler2D", Source::shadow_moments}},
     {"castle_shadow_depth_plane_#", {uniform, "vec4", Source::shadow_depth_plane}},
     {"castle_shadow_depths", {uniform, "sampler2D", Source::shadow_depths}},

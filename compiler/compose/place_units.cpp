@@ -200,7 +200,7 @@ void Placer::place_light(int number) {
   if (light.off) return;
   const PlugScope scope{ScopeKind::light, number};
   add_template("light.glsl", lighting_, light_features(light), scope);
-  if (!light.shadow) return;
+  if (!light.shadow || light.shadow_method == ShadowMethod::traced) return;
   add_template("shadow.vert", ShaderStage::vertex, keeps_moments(light.shadow_method) ? Features{"MOMENTS"} : Features{},
                scope);
   c_.units.back().of_shadow = true;

@@ -29,6 +29,7 @@ std::vector<ShadowUnit> kernel_units(ShadowMethod method, Target target) {
     case ShadowMethod::hard:
     case ShadowMethod::bilinear:
     case ShadowMethod::poisson:
+    case ShadowMethod::traced:
     case ShadowMethod::vsm:
     case ShadowMethod::evsm:
     case ShadowMethod::msm: break;
@@ -43,6 +44,7 @@ std::string_view method_file(ShadowMethod method) {
     case ShadowMethod::bilinear: return "shadows/one_tap.glsl";
     case ShadowMethod::sharp3: return "shadows/sharp3.glsl";
     case ShadowMethod::poisson: return "shadows/poisson.glsl";
+    case ShadowMethod::traced: return "shadows/traced.glsl";
     case ShadowMethod::vsm: return "shadows/vsm.glsl";
     case ShadowMethod::evsm: return "shadows/evsm.glsl";
     case ShadowMethod::msm: return "shadows/msm.glsl";
@@ -81,7 +83,10 @@ std::vector<ShadowUnit> cube_units(ShadowMethod method) {
 std::vector<ShadowUnit> shadow_units(const LightRecipe& light, Target target) {
   std::vector<ShadowUnit> units;
   if (light.shadow_intensity) units.push_back({"shadows/intensity.glsl", {"BEFORE"}});
-  auto looking_up = light.kind == LightKind::point ? cube_units(light.shadow_method) : flat_units(light, target);
+  const bool traced = light.shadow_method == ShadowMethod::traced;
+  auto looking_up = traced                           ? std::vector<ShadowUnit>{{method_file(light.shadow_method), {}}}
+                    : light.kind == LightKind::point ? cube_units(light.shadow_method)
+                                                     : flat_units(light, target);
   for (ShadowUnit& unit : looking_up) units.push_back(std::move(unit));
   if (light.shadow_intensity) units.push_back({"shadows/intensity.glsl", {"AFTER"}});
   return units;

@@ -22,6 +22,7 @@ constexpr auto kMethods = std::to_array<MethodInfo>({{"hard", 0},
                                                      {"pcf4_taps", 4},
                                                      {"sharp3", 2},
                                                      {"poisson", 3},
+                                                     {"traced", 0},
                                                      {"vsm", 1},
                                                      {"evsm", 1},
                                                      {"msm", 2}});
@@ -57,6 +58,7 @@ ShadowMethod method_for_cube(ShadowMethod method) {
   switch (method) {
     case ShadowMethod::hard:
     case ShadowMethod::bilinear:
+    case ShadowMethod::traced:
     case ShadowMethod::poisson: return method;
     default: return ShadowMethod::pcf3;
   }

@@ -20,6 +20,7 @@ enum class ShadowMethod : std::uint8_t {
   pcf4_taps,
   sharp3,   ///< The edge of pcf3, sharpened to about a pixel.
   poisson,  ///< 16 bilinear look-ups on a disc that is turned from pixel to pixel.
+  traced,   ///< One ray to the light a pixel: no map.
   vsm,      ///< Variance: the map holds the first two moments of depth, blurred.
   evsm,     ///< The same of two exponential warps of depth.
   msm,      ///< The first four moments.

@@ -167,6 +167,18 @@ Texture make_float_texture(const Functions& gl, GLsizei size, bool two_channels)
   return texture;
 }
 
+void set_mask(const Functions& gl, Texture& texture, GLsizei width, GLsizei height, const std::vector<std::uint8_t>& mask) {
+  if (!texture) {
+    texture = begin_texture(gl, GL_TEXTURE_2D);
+    set_filters(gl, GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
+    set_wrap(gl, GL_TEXTURE_2D, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+  }
+  gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kUploadUnit));
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, mask.data());
+}
+
 namespace {
 
 Sampler make_depth_sampler(const Functions& gl, GLint filter) {

@@ -1,6 +1,8 @@
 #pragma once
 // Textures: pictures of a package, depth maps, and the stand-ins for what is missing.
 
+#include <vector>
+
 #include "package/package_file.h"
 #include "runtime/gl/objects.h"
 
@@ -31,6 +33,9 @@ Texture make_float_texture(const Functions& gl, GLsizei size, bool two_channels)
 
 /// Reads a depth texture as it is stored, texel by texel.
 Sampler make_depth_texel_sampler(const Functions& gl);
+/// One number a pixel, 0 to 255, read as the red of a picture of that size. Makes the texture where it is none.
+void set_mask(const Functions& gl, Texture& texture, GLsizei width, GLsizei height, const std::vector<std::uint8_t>& mask);
+
 /// Reads a depth texture as a grey picture: no comparison.
 Sampler make_depth_picture_sampler(const Functions& gl);
 

@@ -1,8 +1,8 @@
 #pragma once
 // A measured shadow against the true one.
 
-#include "shadows/map_footprint.h"
 #include "runtime/tracer.h"
+#include "shadows/map_footprint.h"
 
 namespace plugc {
 

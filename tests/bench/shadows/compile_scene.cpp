@@ -11,7 +11,12 @@ std::vector<std::uint8_t> compile_scene(const std::filesystem::path& scene, cons
   SourceSet sources;
   Diagnostics diagnostics(sources);
   CompileOptions options;
-  (void)method;
+  if (!method.empty()) {
+    const auto named = shadow_method_named(method);
+    if (!named) error = "there is no method " + method;
+    if (!named) return {};
+    options.shadows.method = *named;
+  }
   const Compilation made = compile({scene}, options, validator, sources, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     if (diagnostic_kind(diagnostic.id).severity != Severity::error) continue;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 /// Small maps make large errors, whose mean needs more positions.
 int shift_count(const Lab& lab, std::uint32_t size) {
-  if (lab.quick) return 1;
+  if (lab.quick || size == 0) return 1;
   return size <= 1024 ? 4 : 1;
 }
 
@@ -45,11 +45,8 @@ class ErrorTable {
     const std::vector<std::uint8_t> bytes = compile_scene(scene, method, lab_.validator, error);
     if (bytes.empty()) fmt::print(stderr, "{}\n", error);
     if (bytes.empty()) return;
-    for (const std::uint32_t size : map_sizes(lab_)) {
-      if (!is_feasible(method, size)) continue;
-      Settings settings;
-      settings.size = size;
-      const auto loaded = load_lab_scene(lab_.studio, bytes, settings);
+    for (const std::uint32_t size : map_sizes(lab_, method)) {
+      const auto loaded = load_lab_scene(lab_.studio, bytes, sized(size));
       for (const JudgedView& view : judged.views) {
         const MeanErrors mean = measure_errors(lab_.studio, *loaded, judged, view, shift_count(lab_, size));
         const double leak = method.ends_with("sm") ? measure_leak(lab_.studio, *loaded, judged, view) : 0;  // of moment maps

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "shadows/instrument.h"
 #include "shadows/studio.h"
 #include "validate/validate.h"
 
@@ -19,10 +20,10 @@ struct Lab {
   bool quick = false;                ///< Fewer sizes, views and repetitions: minutes become seconds.
 };
 
-/// Sides of the maps that the charts are made of.
-std::vector<std::uint32_t> map_sizes(const Lab& lab);
-/// False for sizes whose memory or time is out of proportion: moment maps hold 16 bytes a texel, and are blurred.
-bool is_feasible(const std::string& method, std::uint32_t size);
+/// Sides of the maps that a method is measured with; 0 alone for the one without a map.
+std::vector<std::uint32_t> map_sizes(const Lab& lab, const std::string& method);
+/// `size` 0: what the scene says.
+Settings sized(std::uint32_t size);
 
 /// errors.csv: every scene, view, method and size.
 void measure_all_errors(Lab& lab);

@@ -75,14 +75,18 @@ int measure(const Arguments& arguments) {
 
 }  // namespace
 
-std::vector<std::uint32_t> map_sizes(const Lab& lab) {
+std::vector<std::uint32_t> map_sizes(const Lab& lab, const std::string& method) {
+  if (method == "traced") return {0};
   if (lab.quick) return {512, 2048};
-  return {128, 256, 512, 1024, 2048, 4096, 8192};
+  std::vector<std::uint32_t> sizes = {128, 256, 512, 1024, 2048, 4096, 8192};
+  if (method.ends_with("sm")) sizes.pop_back();  // moments: more than 32 bytes a texel, of which maps have at most 4096 a side
+  return sizes;
 }
 
-bool is_feasible(const std::string& method, std::uint32_t size) {
-  constexpr std::uint32_t kLargestMomentMap = 4096;
-  return size <= kLargestMomentMap || !method.ends_with("sm");
+Settings sized(std::uint32_t size) {
+  Settings settings;
+  if (size != 0) settings.size = size;
+  return settings;
 }
 
 std::string csv_line(const std::vector<std::string>& words, const std::vector<double>& numbers) {

@@ -17,7 +17,7 @@ View camera_of(const LoadedScene& scene, const FrameOptions& frame) {
 }
 
 bool is_drawn(const LoadedScene& scene, std::uint32_t map) {
-  return static_cast<bool>(scene.shadow_maps[map].texture);
+  return scene.packed->shadow_maps()->Get(map)->update() != PackedShadowUpdate::none;
 }
 
 JudgedView judge_view(Studio& studio, LabScene& scene, const JudgedScene& judged, const FrameOptions& frame,
@@ -87,7 +87,8 @@ void light_only(LabScene& scene, std::uint32_t map, double share) {
 
 MapProjection projection_of(const LabScene& scene, std::uint32_t map) {
   const ShadowMap& drawn = scene.loaded.shadow_maps[map];
-  return {world_to_texture(drawn.view), static_cast<double>(drawn.size)};
+  const glm::dvec3 place(drawn.view.eye_to_world[3]);
+  return {world_to_texture(drawn.view), static_cast<double>(drawn.size), drawn.view.all_around, place};
 }
 
 std::vector<float> measure_visibility(Studio& studio, LabScene& scene, const JudgedView& view, const glm::dvec2& shift) {

@@ -37,7 +37,8 @@ struct JudgedScene {
   std::vector<JudgedView> views;
 };
 
-/// Throws std::runtime_error where Embree cannot be loaded. `views` are the frames to judge; each with every map of the scene that can be drawn. Lights of other maps are off.
+/// Throws std::runtime_error where Embree cannot be loaded. `views` are the frames to judge; each with every map of the scene
+/// that can be drawn. Lights of other maps are off.
 JudgedScene judge_scene(Studio& studio, LabScene& scene, const std::vector<FrameOptions>& views);
 
 /// Leaves only the light of that map on, dimmed for measurement (`share` 1) or dark (0).

@@ -10,6 +10,11 @@ namespace plugc {
 struct MapProjection {
   glm::dmat4 world_to_texture{1.0};  ///< x and y from 0 to 1.
   double size = 1;
+  bool cube = false;    ///< Of a point light: `world_to_texture` is that of the face that a point lies on.
+  glm::dvec3 light{0};  ///< Of a cube: where it is.
+
+  /// What the point is looked up by: one face of a cube, else the same.
+  MapProjection at(const glm::dvec3& point) const;
 
   glm::dvec2 texel(const glm::dvec3& point) const;
 };

@@ -79,10 +79,34 @@ void run(Lab& lab, const Sweep& sweep, const std::string& method, std::ofstream&
     const auto loaded = load_lab_scene(lab.studio, bytes, settings);
     const JudgedScene judged = judge_scene(lab.studio, *loaded, first_view(*loaded));
     for (const JudgedView& view : judged.views) {
-      const MeanErrors mean = measure_errors(lab.studio, *loaded, judged, view, lab.quick ? 1 : 4);
+      const MeanErrors mean = measure_errors(lab.studio, *loaded, judged, view, lab.quick ? 1 : 16);
       file << csv_line({sweep.name, sweep.scene, method},
                        {value, mean.errors.false_shadow, mean.errors.false_lit, mean.errors.wrong(), mean.errors.weighted,
                         mean.floor, double(view.truth.counted)});
+    }
+  }
+}
+
+/// The grid for one method of one scene.
+void run_bias(Lab& lab, const fs::path& scene, const std::string& method, std::ofstream& file) {
+  std::string error;
+  const std::vector<std::uint8_t> bytes = compile_scene(scene, method, lab.validator, error);
+  if (bytes.empty()) fmt::print(stderr, "{}\n", error);
+  if (bytes.empty()) return;
+  const auto first = load_lab_scene(lab.studio, bytes, {});
+  const JudgedScene judged = judge_scene(lab.studio, *first, first_view(*first));
+  for (const double scale : {0.0, 0.5, 1.0, 1.1, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 16.0}) {
+    for (const double bias : {0.0, 1.0, 4.0, 16.0, 256.0}) {
+      if (lab.quick && bias != 4) continue;
+      Settings settings = sized(kSize);
+      settings.scale = scale;
+      settings.bias = bias;
+      const auto loaded = load_lab_scene(lab.studio, bytes, settings);
+      for (const JudgedView& view : judged.views) {
+        const MeanErrors mean = measure_errors(lab.studio, *loaded, judged, view, 1);
+        file << csv_line({scene.stem().string(), method},
+                         {scale, bias, mean.errors.false_shadow, mean.errors.false_lit, mean.errors.wrong(), mean.floor});
+      }
     }
   }
 }
@@ -101,31 +125,11 @@ void sweep_stability(Lab& lab) {
 void sweep_bias(Lab& lab) {
   std::ofstream file(lab.output / "bias.csv");
   file << "scene,method,scale,bias,false_shadow,false_lit,wrong,floor\n";
-  std::string error;
   for (const char* stem : {"open", "street", "layered", "spot"}) {
     const fs::path* const scene = find_scene(lab, stem);
-    if (scene == nullptr) continue;
     for (const std::string& method : lab.methods) {
-      if (method != "hard" && method != "bilinear" && method != "pcf3") continue;
-      const std::vector<std::uint8_t> bytes = compile_scene(*scene, method, lab.validator, error);
-      if (bytes.empty()) continue;
-      const auto first = load_lab_scene(lab.studio, bytes, {});
-      const JudgedScene judged = judge_scene(lab.studio, *first, first_view(*first));
-      for (const double scale : {0.0, 0.5, 1.0, 1.1, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 16.0}) {
-        for (const double bias : {0.0, 1.0, 4.0, 16.0, 256.0}) {
-          if (lab.quick && bias != 4) continue;
-          Settings settings;
-          settings.size = kSize;
-          settings.scale = scale;
-          settings.bias = bias;
-          const auto loaded = load_lab_scene(lab.studio, bytes, settings);
-          for (const JudgedView& view : judged.views) {
-            const MeanErrors mean = measure_errors(lab.studio, *loaded, judged, view, 1);
-            file << csv_line({stem, method},
-                             {scale, bias, mean.errors.false_shadow, mean.errors.false_lit, mean.errors.wrong(), mean.floor});
-          }
-        }
-      }
+      if (scene != nullptr && (method == "hard" || method == "bilinear" || method == "pcf3"))
+        run_bias(lab, *scene, method, file);
     }
   }
 }

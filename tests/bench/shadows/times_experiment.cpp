@@ -96,11 +96,8 @@ void time_method(Lab& lab, const fs::path& scene, const std::string& method, Loa
   std::string error;
   const std::vector<std::uint8_t> bytes = compile_scene(scene, method, lab.validator, error);
   if (bytes.empty() || open_package(bytes).package->scenes()->Get(0)->shadow_maps()->size() == 0) return;
-  for (const std::uint32_t size : map_sizes(lab)) {
-    if (!is_feasible(method, size)) continue;
-    Settings settings;
-    settings.size = size;
-    const auto with = load_timed(lab.studio, bytes, settings);
+  for (const std::uint32_t size : map_sizes(lab, method)) {
+    const auto with = load_timed(lab.studio, bytes, sized(size));
     const ExtraTimes times = time_in_turns(lab.studio, without, with->loaded, lab.quick ? 3 : 9);
     file << csv_line({scene.stem().string(), method},
                      {double(size), times.unshadowed.wall, times.maps_kept.wall, times.maps_drawn.wall,
@@ -147,9 +144,7 @@ void measure_lookups(Lab& lab) {
   for (const std::string& method : lab.methods) {
     const std::vector<std::uint8_t> bytes = compile_scene(scene, method, lab.validator, error);
     if (bytes.empty()) continue;
-    Settings settings;
-    settings.size = 1024;
-    const auto with = load_timed(lab.studio, bytes, settings);
+    const auto with = load_timed(lab.studio, bytes, sized(method == "traced" ? 0 : 1024));
     const ExtraTimes times = time_in_turns(lab.studio, without->loaded, with->loaded, lab.quick ? 5 : 25);
     constexpr double kNanosecondsAPixel = 1e6 / (double(kWidth) * kHeight);
     file << csv_line({method}, {times.maps_kept.wall * kNanosecondsAPixel, times.maps_kept.processor * kNanosecondsAPixel});

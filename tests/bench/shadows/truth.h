@@ -4,22 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "shadows/studio.h"
+#include "runtime/camera_rays.h"
 #include "runtime/tracer.h"
+#include "shadows/studio.h"
 
 namespace plugc {
-
-/// Rays through a picture's pixels, in double. Pixel centres are at halves; y counts from the bottom.
-class CameraRays {
- public:
-  CameraRays(const View& camera, int width, int height);
-  /// Where the ray through (x, y) meets a plane. World space; not finite where it is parallel.
-  glm::dvec3 on_plane(double x, double y, const glm::dvec3& point, const glm::dvec3& normal) const;
-
- private:
-  glm::dmat4 picture_to_eye_;
-  glm::dmat4 eye_to_world_;
-};
 
 /// One pixel: what it shows, and whether the light's shadow is judged there.
 struct TruthPixel {
@@ -40,9 +29,6 @@ struct TruthPicture {
 
   const TruthPixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
 };
-
-/// The light in world space.
-LightSource light_source(const PackedScene& scene, std::uint32_t light, const Slots& slots, const World& world);
 
 /// Judges each pixel of `triangles` (Shot::triangles) that shows a surface which map `map` shadows, faces the light (normal . L
 /// above 0.01) and is seen without a blended shape in front.

@@ -19,14 +19,15 @@ std::string box(const glm::dvec3& at, const glm::dvec3& size, double angle) {
 }
 
 std::string head(const std::string& light) {
-  return "#X3D V4.0 utf8\nNavigationInfo { headlight FALSE }\nViewpoint { position 0 9 11 orientation 1 0 0 -0.68 }\n" + light +
-         "\n" + box({0, -0.5, 0}, {30, 1, 30}, 0);
+  return "#X3D V4.0 utf8\nNavigationInfo { headlight FALSE }\nViewpoint { position 0 6.5 8 orientation 1 0 0 -0.66 }\n" +
+         light + "\n" + box({0, -0.5, 0}, {30, 1, 30}, 0);
 }
 
+/// No wall faces the sun or the spotlight at a grazing angle: in their maps it would be narrower than a kernel.
 std::string boxes() {
-  return box({-2.2, 0.8, 0.5}, {1.2, 1.6, 1.2}, 0.3) + box({0.4, 0.5, -1.2}, {1.6, 1.0, 0.8}, 0.9) +
-         box({2.6, 1.2, 0.2}, {0.9, 2.4, 0.9}, 0.1) + box({0.9, 0.4, 2.4}, {0.8, 0.8, 0.8}, 0.6) +
-         box({-1.3, 0.35, 3.1}, {1.0, 0.7, 0.5}, 1.2);
+  return box({-2.2, 0.8, 0.5}, {1.2, 1.6, 1.2}, 0.3) + box({0.4, 0.5, -1.2}, {1.6, 1.0, 0.8}, 0.45) +
+         box({2.6, 1.2, 0.2}, {0.9, 2.4, 0.9}, 0.1) + box({0.9, 0.4, 2.4}, {0.8, 0.8, 0.8}, 0.2) +
+         box({-1.3, 0.35, 3.1}, {1.0, 0.7, 0.5}, 0.55);
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ MeanErrors errors_of(const JudgedText& judged, const std::vector<std::uint8_t>& 
 }
 
 std::string boxes_in_the_sun() {
-  return head("DirectionalLight { direction -0.5 -1 -0.3 shadows TRUE }") + boxes();
+  return head("DirectionalLight { direction -0.9 -0.8 -0.5 shadows TRUE }") + boxes();
 }
 
 std::string stairs_and_slabs() {

@@ -2,6 +2,7 @@
 load here.'/style.gp'
 set logscale xy 2
 set logscale y 10
+set key left bottom
 set xlabel "texels along the map's side"
 set ylabel 'wrong pixels, %'
 set format y '%g'
