@@ -168,7 +168,7 @@ std::vector<SceneParts> compile_library(const NodeGraph& graph, SourceSet& sourc
     Scene scene = build_scene(graph, sources, files, alone, diagnostics);
     if (scene.effects.empty()) continue;  // in another language: reported
     scene.name = scene.effects.front().label;
-    PreparedScene prepared = prepare_scene(graph, std::move(scene), PreparedFor::drawing, files, diagnostics, meshes);
+    PreparedScene prepared = prepare_scene(graph, std::move(scene), PreparedFor::library, files, diagnostics, meshes);
     LibraryScene library(prepared, sources);
     library.choose_kinds(diagnostics);
     library.drop_other_kinds();

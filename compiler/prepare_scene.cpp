@@ -12,6 +12,7 @@
 #include "mesh/tangents.h"
 #include "mesh/unit_coords.h"
 #include "prepare_shadows.h"
+#include "still_shadows.h"
 
 namespace plugc {
 namespace {
@@ -179,18 +180,26 @@ void plan_maps(SceneParts& parts, RecipeList& recipes) {
   }
 }
 
-void prepare_recipes(PreparedScene& prepared) {
+/// By shape.
+std::vector<AlphaUse> prepare_alpha(SceneParts& parts) {
+  std::vector<AlphaUse> alpha;
+  for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
+    alpha.push_back(shape_alpha(parts, parts.scene.shapes[i]));
+    parts.shapes[i].blended = alpha.back() == AlphaUse::blended;
+  }
+  return alpha;
+}
+
+void prepare_recipes(PreparedScene& prepared, const std::vector<AlphaUse>& alpha) {
   SceneParts& parts = prepared.parts;
   RecipeList recipes(prepared.recipes);
-  const DepthPasses passes = depth_passes(parts.scene);
+  const DepthPasses passes = needs_casters(parts.scene) ? depth_passes(parts.scene) : DepthPasses();
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     const SceneShape& shape = parts.scene.shapes[i];
     ShapePlan& plan = parts.shapes[i];
     if (plan.mesh == nullptr) continue;
-    const AlphaUse alpha = shape_alpha(parts, shape);
-    plan.blended = alpha == AlphaUse::blended;
     const bool casts = shape.casts_shadow && !plan.blended && plan.mesh->topology == Topology::triangles;
-    const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, alpha);
+    const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, alpha[i]);
     plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects), casts ? passes : DepthPasses(),
                   prepared.effects, recipes, plan);
   }
@@ -205,7 +214,7 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   SceneParts& parts = prepared.parts;
   parts.scene = std::move(scene);
   parts.shapes.resize(parts.scene.shapes.size());
-  const auto detail = purpose == PreparedFor::drawing ? ImageDetail::pixels : ImageDetail::facts;
+  const auto detail = purpose == PreparedFor::checking ? ImageDetail::facts : ImageDetail::pixels;
   parts.images = load_images(graph, parts.scene, files, diagnostics, detail, images);
   drop_missing_textures(parts.scene, parts.images);
   // from here textures have their final numbers, which those of texture coordinates follow
@@ -214,7 +223,9 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   prepare_effect_code(parts.scene, prepared, diagnostics);
   mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);
   replace_untraceable_maps(graph, prepared.effects, parts.scene, diagnostics);
-  prepare_recipes(prepared);
+  const std::vector<AlphaUse> alpha = prepare_alpha(parts);
+  if (purpose != PreparedFor::library) drop_impossible_shadows(prepared.effects, parts);
+  prepare_recipes(prepared, alpha);
   return prepared;
 }
 

@@ -34,10 +34,11 @@ inline ComposeInput compose_input(const PreparedScene& prepared, TemplateLibrary
 /// Meshes that several scenes of one graph share.
 using MeshCache = std::map<std::pair<NodeId, std::vector<UnitCoords>>, std::shared_ptr<const Mesh>>;
 
-/// What a scene is prepared for. What is said of it and its recipes do not depend on that.
+/// What a scene is prepared for. What is said of it does not depend on that.
 enum class PreparedFor : std::uint8_t {
   drawing,
   checking,  ///< Images have no pixels.
+  library,   ///< As for drawing, but each shape stands for its kind: it keeps shadows that could never fall on it.
 };
 
 PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor purpose, FileAccess& files,

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/box.h"
+#include "base/box.h"
 
 namespace plugc {
 

@@ -5,10 +5,10 @@
 // Every result is finite, whatever goes in.
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/placed_box.h"
 #include "runtime/world.h"
 
 namespace plugc {
@@ -32,20 +32,10 @@ struct LightFrame {
   bool operator==(const LightFrame&) const = default;
 };
 
-/// What is flatter has no thickness of its own, relative to its size or its distance.
-inline constexpr double kThinnest = 1e-6;
-
 /// Distances, lengths or tangents.
 struct Interval {
   double low = 0;
   double high = 0;
-};
-
-/// A box in a space of its own: seen from the light it is fitted tighter than the world's box around it.
-struct PlacedBox {
-  Box box;
-  glm::dmat4 to_world{1.0};
-  bool known = true;  ///< False: its program may move vertices out of the box.
 };
 
 struct FitInput {
@@ -73,9 +63,6 @@ glm::dmat4 perspective(const glm::dvec4& window, const Interval& depth, bool rev
 Interval widened(Interval range, double margin);
 /// The view, or one of nothing where it is not finite as floats.
 View checked(const View& view);
-/// The plane of a flat box, with its inside (as Hull has it) towards the light: a direction (w 0) or a place (w 1). None for a
-/// box that is not flat, or whose shape may leave it.
-std::optional<glm::dvec4> front_of(const PlacedBox& placed, const glm::dvec4& light);
 
 /// World space to linear depth: the dot product with (x, y, z, 1) runs from 0 at the near end of the map's depths to 1 at the
 /// far end. Zero for a view without a range.

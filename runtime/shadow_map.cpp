@@ -96,8 +96,10 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
   const std::uint32_t count = scene.shadow_maps()->size();
   for (std::uint32_t i = 0; i < count; ++i) {
     const PackedShadowMap& packed = *scene.shadow_maps()->Get(i);
-    maps.push_back(make_shadow_map(functions, packed, *scene.lights()->Get(packed.light()), messages));
-    maps.back().readers = find_readers(scene, i);
+    std::vector<MapReader> readers = find_readers(scene, i);
+    maps.push_back(readers.empty() ? ShadowMap()
+                                   : make_shadow_map(functions, packed, *scene.lights()->Get(packed.light()), messages));
+    maps.back().readers = std::move(readers);
     maps.back().only_projects = packed.update() == PackedShadowUpdate::none && !maps.back().readers.empty();
   }
   return maps;
@@ -137,8 +139,7 @@ FitInput fit_input(const Package& package, const PackedScene& scene, const World
   for (std::uint32_t i = 0; i < shape_count; ++i) {
     if (!world.shape_visible[i]) continue;
     const PackedShape& shape = *scene.shapes()->Get(i);
-    const PlacedBox placed{mesh_bounds(*package.meshes()->Get(shape.mesh())), world.at(shape.transform()).matrix,
-                           shape.bounds_known()};
+    const PlacedBox placed{object_bounds(package, shape), world.at(shape.transform()).matrix, shape.bounds_known()};
     const ShapePrograms use = shape_programs(shape, world.shape_variant[i]);
     if (depth_program(use, of_point_light) >= 0) input.casters.push_back(placed);
     const bool receives =

@@ -3,7 +3,6 @@
 
 #include "runtime/tracer.h"
 
-#include "runtime/box.h"
 #include "runtime/embree_library.h"
 
 #ifdef PLUGC_EMBREE

@@ -85,7 +85,7 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
   }
   for (const PackedShape* shape : *scene.shapes()) {
     const PlacedTransform& placed = world.at(shape->transform());
-    const Box own = placed.visible ? mesh_bounds(*package.meshes()->Get(shape->mesh())) : Box{};
+    const Box own = placed.visible ? object_bounds(package, *shape) : Box{};
     world.shape_visible.push_back(placed.visible);
     world.shape_variant.push_back(current_variant(*shape, scene, slots, world));
     world.shape_bounds.push_back(transformed(own, placed.matrix));
@@ -94,24 +94,11 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
   return world;
 }
 
-glm::dmat4 rotation_matrix(const glm::dvec4& rotation) {
-  const glm::dvec3 axis(rotation);
-  const double length = glm::length(axis);
-  if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(rotation.w)) return glm::dmat4(1.0);
-  return glm::rotate(glm::dmat4(1.0), rotation.w, axis / length);
-}
-
-glm::dmat4 transform_matrix(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale,
-                            const glm::dvec4& scale_orientation, const glm::dvec3& center) {
-  const glm::dmat4 stretch = rotation_matrix(scale_orientation);
-  const glm::dmat4 one(1.0);
-  return glm::translate(one, translation + center) * rotation_matrix(rotation) * stretch * glm::scale(one, scale) *
-         glm::transpose(stretch) * glm::translate(one, -center);
-}
-
-Box mesh_bounds(const PackedMesh& mesh) {
-  const PackedVec3& low = *mesh.bounds_min();
-  const PackedVec3& high = *mesh.bounds_max();
+Box object_bounds(const Package& package, const PackedShape& shape) {
+  const PackedMesh& mesh = *package.meshes()->Get(shape.mesh());
+  const bool written = shape.bounds_min() != nullptr && shape.bounds_max() != nullptr;
+  const PackedVec3& low = written ? *shape.bounds_min() : *mesh.bounds_min();
+  const PackedVec3& high = written ? *shape.bounds_max() : *mesh.bounds_max();
   return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
 }
 

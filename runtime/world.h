@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/box.h"
+#include "base/transform_matrix.h"
 #include "package/package_file.h"
-#include "runtime/box.h"
 #include "runtime/events.h"
 #include "runtime/messages.h"
 
@@ -45,13 +46,8 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
 /// Whether the light is on, and in no branch that a Switch has not chosen.
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world);
 
-/// Object space of a Transform node to its parent's space: T * C * R * SR * S * -SR * -C (X3D 4.1, 10.4.4).
-glm::dmat4 transform_matrix(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale,
-                            const glm::dvec4& scale_orientation, const glm::dvec3& center);
-/// Axis and angle; the identity for a zero axis.
-glm::dmat4 rotation_matrix(const glm::dvec4& rotation);
-
-Box mesh_bounds(const PackedMesh& mesh);
+/// The shape's box in its own space: as its author wrote it where a program may move its vertices, else its mesh's.
+Box object_bounds(const Package& package, const PackedShape& shape);
 
 /// How much a matrix makes things longer, on the average of its axes.
 double average_scale(const glm::dmat4& matrix);

@@ -347,6 +347,11 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
   packed->blend_source = static_cast<PackedBlendFactor>(shape.blend.source);
   packed->blend_destination = static_cast<PackedBlendFactor>(shape.blend.destination);
   packed->bounds_known = all_bounds_known(parts, plan);
+  if (!packed->bounds_known && shape.bounds) {
+    packed->bounds_known = true;  // an author's word is believed
+    packed->bounds_min = std::make_unique<PackedVec3>(shape.bounds->min.x, shape.bounds->min.y, shape.bounds->min.z);
+    packed->bounds_max = std::make_unique<PackedVec3>(shape.bounds->max.x, shape.bounds->max.y, shape.bounds->max.z);
+  }
   packed->projected_coords = pack_projected_coords({parts.scene, shape, where.textures}, units_read(parts, plan));
   for (const ReceivedShadow& shadow : shape.receives) packed->receives.push_back(static_cast<std::uint32_t>(shadow.shadow_map));
   return packed;

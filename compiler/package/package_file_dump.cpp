@@ -233,7 +233,10 @@ void dump_shape(Text& text, const Package& package, const PackedShape& shape, st
   line(text, "  shape {} {}: transform {}, mesh {}, program {}", index, quoted(*shape.name()), shape.transform(), shape.mesh(),
        shape.program());
   line(text, "    {}{}{}{}", shape.cull_back() ? "culls backs" : "two-sided", shape.front_cw() ? ", clockwise" : "",
-       shape.wireframe() ? ", wireframe" : "", shape.bounds_known() ? "" : ", bounds unknown");
+       shape.wireframe() ? ", wireframe" : "",
+       shape.bounds_min() != nullptr ? ", bounds written"
+       : shape.bounds_known()        ? ""
+                                     : ", bounds unknown");
   if (shape.blended()) {
     line(text, "    blends {} {}", EnumNamePackedBlendFactor(shape.blend_source()),
          EnumNamePackedBlendFactor(shape.blend_destination()));

@@ -257,6 +257,9 @@ void SceneWalk::visit_shape(NodeId node) {
   shape.lights = lights_;
   shape.fog = fog_;
   shape.shading = read_shading(context_, node);
+  const glm::dvec3 size = graph_.vec3(node, "bboxSize");
+  const glm::dvec3 center = graph_.vec3(node, "bboxCenter");
+  if (size.x >= 0 && size.y >= 0 && size.z >= 0) shape.bounds = Box{center - 0.5 * size, center + 0.5 * size};
   const NodeId appearance = graph_.child(node, "appearance");
   read_appearance(context_, appearance, shape);
   read_texture_coordinates(context_, shape);

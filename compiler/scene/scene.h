@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/box.h"
 #include "base/diagnostics.h"
 #include "base/file_access.h"
 #include "scene/node_graph.h"
@@ -286,6 +287,7 @@ struct SceneShape {
   bool casts_shadow = true;
   bool has_blend_mode = false;
   SceneBlend blend;
+  std::optional<Box> bounds;  ///< bboxSize and bboxCenter, where they are written.
 };
 
 struct SceneViewpoint {
