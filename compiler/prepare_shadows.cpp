@@ -48,7 +48,7 @@ bool may_move(const SceneShape& shape, const std::vector<EffectCode>& effects, c
 std::string obstacle(const SceneShadowMap& map, const std::vector<EffectCode>& effects, const Scene& scene) {
   if (map.author_visible) return "its map is looked into";
   for (const SceneShape& shape : scene.shapes) {
-    const bool shows = std::ranges::find(shape.receives, map.light) != shape.receives.end();
+    const bool shows = std::ranges::find(shape.receives, map.light, &ReceivedShadow::light) != shape.receives.end();
     if ((shape.casts_shadow || shows) && may_move(shape, effects, scene))
       return fmt::format("a shader may move the vertices of `{}`", shape.name);
     const auto discards = [&](int effect) { return effects[static_cast<std::size_t>(effect)].discards; };
