@@ -260,8 +260,8 @@ void take_deciders(const Recipe& recipe, const std::vector<EffectCode>& codes, b
     take_movers(recipe, codes, has_geometry, depth);
   depth.depth_only = false;
   depth.gouraud = recipe.gouraud;
-  depth.normals = recipe.normals;
-  depth.two_sided = recipe.two_sided;
+  depth.normals = recipe.normals && !depth.effects.empty();  // the renderer's own alpha test looks at none
+  depth.two_sided = recipe.two_sided && depth.normals;
   depth.color_per_vertex = recipe.color_per_vertex;
   depth.alpha_test = recipe.alpha_test;
   depth.vertex_eye = recipe.vertex_eye && by_effects;

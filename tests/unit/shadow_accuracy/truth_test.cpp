@@ -8,11 +8,13 @@
 namespace plugc {
 namespace {
 
+// The box casts a shadow, but behind the viewer.
 constexpr const char* kGroundAlone = R"(#X3D V4.0 utf8
 NavigationInfo { headlight FALSE }
 Viewpoint { position 0 4 6 orientation 1 0 0 -0.6 }
 DirectionalLight { direction -0.5 -1 -0.3 shadows TRUE }
 Shape { appearance Appearance { material Material { } } geometry Box { size 20 1 20 } }
+Transform { translation 0 1 9 children Shape { appearance Appearance { material Material { } } geometry Box { size 1 1 1 } } }
 )";
 
 // Seen straight from above, 8 units high: a square of 2 by 2 units floats over the ground, and its shadow lies beside it.
