@@ -61,6 +61,16 @@ struct LoadedScene {
   SourceId source;  ///< Not valid when the file cannot be read.
 };
 
+SceneOptions scene_options(const std::filesystem::path& path, const CompileOptions& options) {
+  SceneOptions scene;
+  scene.all_branches = options.for_lint;
+  scene.dynamic = options.dynamic;
+  scene.shadows = options.shadows;
+  if (const auto found = options.shadow_choices.find(path); found != options.shadow_choices.end())
+    scene.choices = found->second;
+  return scene;
+}
+
 /// The scene of one file; with `stage`, what stands on that stage too.
 LoadedScene load_scene(SourceId source, const std::filesystem::path& path, std::string_view stage,
                        const CompileOptions& options, FileAccess& files, SourceSet& sources, Diagnostics& diagnostics) {
@@ -69,8 +79,7 @@ LoadedScene load_scene(SourceId source, const std::filesystem::path& path, std::
   // from here everything that was written has a place
   loaded.graph = build_graph(std::move(document), path, sources, files, diagnostics, read_stage(stage, sources, diagnostics));
   // from here every USE is resolved, every prototype expanded, every Inline loaded, every value typed
-  loaded.scene =
-      build_scene(loaded.graph, sources, files, {options.for_lint, {}, options.dynamic, options.shadows}, diagnostics);
+  loaded.scene = build_scene(loaded.graph, sources, files, scene_options(path, options), diagnostics);
   loaded.scene.name = path.filename().string();
   // from here shapes know their lights, textures, effects and shadow maps
   return loaded;

@@ -8,6 +8,7 @@
 //     auto bytes = plugc::write_package(made.package);      // diagnostics.all() says what was wrong
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -40,6 +41,8 @@ struct CompileOptions {
   bool library = false;  ///< A file with effects and no shape becomes a library: each effect alone on built-in shapes.
   std::vector<std::string> dynamic;  ///< `DEF.field`: what a host may change while the scene is drawn.
   ShadowDefaults shadows = {};
+  /// By scene file as it is given to compile(): what was chosen for its shadow maps.
+  std::map<std::filesystem::path, std::vector<ShadowChoice>> shadow_choices = {};
   std::optional<EffectArrangement> arrangement = {};
   KnownImages* known_images = nullptr;  ///< For lint: what earlier calls have found out of images.
 };

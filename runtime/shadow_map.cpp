@@ -69,13 +69,13 @@ void add_moments(const gl::Functions& functions, PackedShadowMethod method, Shad
 }
 
 ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap& packed, const PackedLight& light,
-                          Messages& messages) {
+                          std::uint32_t size, Messages& messages) {
   ShadowMap map;
   if (packed.update() == PackedShadowUpdate::none || packed.method() == PackedShadowMethod::traced) return map;
   const bool cube = light.kind() == PackedLightKind::point;
   const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
   const GLsizei largest = gl::max_target_side(functions);
-  map.size = usable_size(packed.size(), cube ? std::min(largest, kMaxCubeMapSide) : largest, messages);
+  map.size = usable_size(size, cube ? std::min(largest, kMaxCubeMapSide) : largest, messages);
   if (cube) {
     map.texture = gl::make_depth_texture(functions, GL_TEXTURE_CUBE_MAP, map.size, false, filter);
     for (GLenum face = 0; face < kCubeFaceCount; ++face)
@@ -97,12 +97,28 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
   for (std::uint32_t i = 0; i < count; ++i) {
     const PackedShadowMap& packed = *scene.shadow_maps()->Get(i);
     std::vector<MapReader> readers = find_readers(scene, i);
-    maps.push_back(readers.empty() ? ShadowMap()
-                                   : make_shadow_map(functions, packed, *scene.lights()->Get(packed.light()), messages));
+    const PackedLight& light = *scene.lights()->Get(packed.light());
+    maps.push_back(readers.empty() ? ShadowMap() : make_shadow_map(functions, packed, light, packed.size(), messages));
     maps.back().readers = std::move(readers);
     maps.back().only_projects = packed.update() == PackedShadowUpdate::none && !maps.back().readers.empty();
   }
   return maps;
+}
+
+std::uint32_t largest_map_size(const PackedScene& scene, std::uint32_t index) {
+  const PackedShadowMap& map = *scene.shadow_maps()->Get(index);
+  if (keeps_moments(map.method())) return kMaxMomentMapSide;
+  const bool cube = scene.lights()->Get(map.light())->kind() == PackedLightKind::point;
+  return cube ? static_cast<std::uint32_t>(kMaxCubeMapSide) : kMaxShadowMapSide;
+}
+
+void resize_shadow_map(const gl::Functions& functions, const PackedScene& scene, std::uint32_t index, std::uint32_t size,
+                       ShadowMap& map, Messages& messages) {
+  const PackedShadowMap& packed = *scene.shadow_maps()->Get(index);
+  std::vector<MapReader> readers = std::move(map.readers);
+  map = ShadowMap();  // the old one's memory goes first
+  if (!readers.empty()) map = make_shadow_map(functions, packed, *scene.lights()->Get(packed.light()), size, messages);
+  map.readers = std::move(readers);
 }
 
 std::int32_t depth_program(const ShapePrograms& use, bool of_point_light) {

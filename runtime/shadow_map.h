@@ -44,6 +44,13 @@ View shifted(const View& view, const ShadowMap& map);
 /// One per PackedShadowMap. Sizes beyond what can be made, and lights that cannot have a map yet, are reported.
 std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages);
 
+/// How many texels a side map `index` may have.
+std::uint32_t largest_map_size(const PackedScene& scene, std::uint32_t index);
+
+/// Makes map `index`, which is drawn, anew with another number of texels a side; the next frame draws it.
+void resize_shadow_map(const gl::Functions& functions, const PackedScene& scene, std::uint32_t index, std::uint32_t size,
+                       ShadowMap& map, Messages& messages);
+
 /// What draws a shape into the map of a point light, or of another; -1: it casts no shadow there.
 std::int32_t depth_program(const ShapePrograms& use, bool of_point_light);
 const flatbuffers::Vector<const PackedBinding*>& depth_bindings(const ShapePrograms& use, bool of_point_light);

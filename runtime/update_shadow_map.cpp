@@ -71,12 +71,19 @@ bool same_view(const View& a, const View& b) {
   return a.world_to_eye == b.world_to_eye && a.projection == b.projection;
 }
 
+/// Texels along a side: as many as it could be made with.
+std::uint32_t size_of(const LoadedScene& scene, std::uint32_t map) {
+  const GLsizei made = scene.shadow_maps[map].size;
+  return made > 0 ? static_cast<std::uint32_t>(made) : scene.packed->shadow_maps()->Get(map)->size();
+}
+
 void fit(LoadedScene& scene, std::uint32_t index, const View* camera, Messages& messages) {
   ShadowMap& map = scene.shadow_maps[index];
   const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
   LightFrame light = light_frame(*scene.packed, packed, scene.slots, scene.world, messages);
+  light.map_size = size_of(scene, index);
   for (const std::uint32_t other : maps_in_one_frustum(*scene.packed, index))
-    light.map_size = std::min(light.map_size, scene.packed->shadow_maps()->Get(other)->size());
+    light.map_size = std::min(light.map_size, size_of(scene, other));
   FitInput input = fit_input(*scene.package, *scene.packed, scene.world, index);
   input.camera = camera;
   const bool matters = packed.author_visible() || !(input.casters.empty() || input.receivers.empty());

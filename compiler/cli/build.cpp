@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/choose_shadows.h"
 #include "cli/commands.h"
+#include "cli/picture_size.h"
 
 namespace plugc {
 namespace {
@@ -15,6 +17,8 @@ struct BuildOptions {
   std::vector<std::string> scenes;
   std::string output;
   std::string depfile;
+  std::string shadow_error;  ///< Empty: nothing is measured.
+  std::string size = "1280x720";
 };
 
 bool write_file(const std::string& path, const void* data, std::size_t size) {
@@ -60,12 +64,35 @@ void print_summary(const Compilation& made, const BuildOptions& options, std::si
              s.read, s.prepare, s.compose, s.compositions, s.validate, s.assemble);
 }
 
+/// Into `compile_with`; false where pictures cannot be drawn or the size of them is none.
+bool choose_all_shadows(const BuildOptions& options, Validator& validator, CompileOptions& compile_with) {
+  const auto size = read_picture_size(options.size);
+  if (!size) refuse_picture_size(options.size);
+  if (!size) return false;
+  std::string error;
+  const std::string mesa_cache = options.common.no_cache ? "" : cache_folder("mesa").string();
+  const std::unique_ptr<Studio> studio = Studio::make(mesa_cache, error, true);
+  if (studio == nullptr) fmt::print(stderr, "plugc: `--shadow-error` has to draw, and cannot: {}\n", error);
+  if (studio == nullptr) return false;
+  const ShadowErrorRequest request{*read_percentage(options.shadow_error), size->width, size->height,
+                                   !options.common.shadows.empty()};
+  for (const std::filesystem::path& scene : scene_files(options.scenes)) {
+    for (const ChosenShadow& chosen : choose_shadows(scene, compile_with, request, validator, *studio)) {
+      compile_with.shadow_choices[scene].push_back(chosen.choice);
+      fmt::print("{}", explain(chosen));
+    }
+  }
+  for (const std::string& message : studio->take_messages()) fmt::print(stderr, "{}\n", message);
+  return true;
+}
+
 int build(const BuildOptions& options) {
   Validator validator = make_validator(options.common);
   SourceSet sources;
   Diagnostics diagnostics(sources);
   CompileOptions compile_with = compile_options(options.common);
   compile_with.library = true;
+  if (!options.shadow_error.empty() && !choose_all_shadows(options, validator, compile_with)) return kBrokenUse;
   const Compilation made = compile(scene_files(options.scenes), compile_with, validator, sources, diagnostics);
   const int status = report(diagnostics);
   const std::vector<std::uint8_t> bytes = write_package(made.package);
@@ -94,6 +121,14 @@ void add_build_command(CLI::App& app, int& status) {
   add_dynamic_option(*verb, options->common);
   add_optimize_option(*verb, options->common);
   add_shadows_option(*verb, options->common);
+  verb->add_option("--shadow-error", options->shadow_error,
+                   "Draw and measure, and choose for each light the cheapest shadow map of whose pixels no more than that are "
+                   "wrong, on the average of the viewpoints, e.g. 0.5%")
+      ->check([](const std::string& text) {
+        return read_percentage(text) ? ""
+                                     : fmt::format("`{}` is no share of wrong pixels; write a percentage, e.g. 0.5%", text);
+      });
+  verb->add_option("--size", options->size, "Size of the pictures that --shadow-error counts pixels of")->capture_default_str();
   add_common_options(*verb, options->common);
   add_jobs_option(*verb, options->common, "Programs that are validated at a time");
   verb->footer(

@@ -2,7 +2,6 @@
 // taken down there while the first one writes the picture.
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <future>
 #include <memory>
@@ -12,6 +11,7 @@
 
 #include "cli/commands.h"
 #include "cli/field_setting.h"
+#include "cli/picture_size.h"
 #include "image/write_png.h"
 #include "runtime/render.h"
 #include "scene/library_stage.h"
@@ -32,17 +32,6 @@ struct PreviewOptions {
   bool no_shadows = false;
   bool statistics = false;
 };
-
-/// `800x450`; false when it is none or out of range.
-bool read_size(const std::string& text, FrameOptions& frame) {
-  constexpr std::uint32_t kMaxSide = 8192;
-  const char* end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, frame.width);
-  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return false;
-  const auto height = std::from_chars(width.ptr + 1, end, frame.height);
-  return height.ec == std::errc() && height.ptr == end && frame.width >= 1 && frame.height >= 1 && frame.width <= kMaxSide &&
-         frame.height <= kMaxSide;
-}
 
 RendererOptions renderer_options(const PreviewOptions& options) {
   RendererOptions renderer;
@@ -118,11 +107,12 @@ std::vector<std::uint8_t> package_bytes(const PreviewOptions& options, const std
 }
 
 int preview(const PreviewOptions& options) {
+  const auto size = read_picture_size(options.size);
+  if (!size) refuse_picture_size(options.size);
+  if (!size) return kBrokenUse;
   FrameOptions frame;
-  if (!read_size(options.size, frame)) {
-    fmt::print(stderr, "plugc: `--size {}` is no size; write WIDTHxHEIGHT, e.g. 800x450\n", options.size);
-    return kBrokenUse;
-  }
+  frame.width = size->width;
+  frame.height = size->height;
   std::vector<FieldSetting> settings;
   for (const std::string& text : options.settings) {
     const auto setting = read_field_setting(text);

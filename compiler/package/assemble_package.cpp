@@ -195,6 +195,15 @@ std::unique_ptr<PackedShadowMapT> pack_shadow_map(const SceneShadowMap& map) {
   packed->size = map.size;
   packed->update = static_cast<PackedShadowUpdate>(map.update);
   packed->method = static_cast<PackedShadowMethod>(map.method);
+  packed->method_written = map.method_written;
+  packed->size_written = map.size_written;
+  if (const auto& choice = map.choice) {
+    packed->choice = std::make_unique<PackedShadowChoiceT>();
+    packed->choice->budget = choice->budget;
+    packed->choice->error = choice->error;
+    packed->choice->views = choice->views;
+    packed->choice->traced_truth = choice->traced_truth;
+  }
   packed->scale_written = map.scale_written;
   packed->bias_written = map.bias_written;
   packed->scale = map.scale;

@@ -191,6 +191,11 @@ void dump_shadow_map(Text& text, const Package& package, const PackedShadowMap& 
   line(text, "    slots: scale {}, bias {}, near {}, far {}, up {}, angle {}, rectangle {}, location {}", slot(map.scale()),
        slot(map.bias()), slot(map.near()), slot(map.far()), slot(map.up()), slot(map.angle()), slot(map.rectangle()),
        slot(map.location()));
+  if (const PackedShadowChoice* choice = map.choice()) {
+    line(text, "    chosen for at most {:.3g} % of wrong pixels: {:.3g} % in {} view{}, against {}", 100 * choice->budget(),
+         100 * choice->error(), choice->views(), choice->views() == 1 ? "" : "s",
+         choice->traced_truth() ? "traced shadows" : "the largest map");
+  }
   if (map.moments_program() < 0) return;
   line(text, "    moments program {}", map.moments_program());
   dump_bindings(text, *map.moments_bindings(), *package.programs()->Get(static_cast<std::uint32_t>(map.moments_program())));

@@ -13,6 +13,7 @@
 #include "base/diagnostics.h"
 #include "base/file_access.h"
 #include "scene/node_graph.h"
+#include "scene/shadow_choice.h"
 #include "scene/shadow_method.h"
 
 namespace plugc {
@@ -213,10 +214,12 @@ struct SceneShadowMap {
   std::uint32_t size = 256;
   ShadowUpdate update = ShadowUpdate::always;
   ShadowMethod method = kDefaultShadowMethod;
-  bool scale_written = false, bias_written = false;  ///< By the scene or a ROUTE; else they follow the method.
+  bool method_written = false, size_written = false;  ///< By the scene.
+  bool scale_written = false, bias_written = false;   ///< By the scene or a ROUTE; else they follow the method.
   std::uint32_t scale = kSceneNoSlot, bias = kSceneNoSlot, near = kSceneNoSlot, far = kSceneNoSlot, up = kSceneNoSlot;
   std::uint32_t angle = kSceneNoSlot, rectangle = kSceneNoSlot, location = kSceneNoSlot;
   bool author_visible = false;  ///< Not only the renderer's own code sees its depths or its projection.
+  std::optional<ShadowChoice> choice;
 };
 
 enum class Lighting : std::uint8_t { unlit, phong, physical };
@@ -330,6 +333,7 @@ struct SceneOptions {
   NodeId alone = {};  ///< Only this effect, on the appended stage of library_stage.h; the rest of the graph takes no part.
   std::vector<std::string> dynamic = {};  ///< `DEF.field`: fields that the host may change, besides those that a ROUTE writes.
   ShadowDefaults shadows = {};
+  std::vector<ShadowChoice> choices = {};  ///< For shadow maps of this scene, instead of `shadows`.
 };
 Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files, const SceneOptions& options,
                   Diagnostics& diagnostics);

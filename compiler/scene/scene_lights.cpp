@@ -78,8 +78,8 @@ bool is_chosen(SceneContext& context, NodeId map, std::string_view field) {
   return context.graph.is_written(map, field) || context.slots.may_change(map, field);
 }
 
-std::uint32_t read_size(SceneContext& context, NodeId written) {
-  const std::uint32_t wanted = context.options.shadows.size;
+/// `wanted`: where the map does not write it; 0: the field's default.
+std::uint32_t read_size(SceneContext& context, NodeId written, std::uint32_t wanted) {
   if (wanted != 0 && !context.graph.is_written(written, "size")) return wanted;
   const int size = context.graph.integer(written, "size");
   const auto usable = static_cast<std::uint32_t>(std::clamp(size, 1, static_cast<int>(kMaxShadowMapSide)));
@@ -91,15 +91,18 @@ std::uint32_t read_size(SceneContext& context, NodeId written) {
 }
 
 /// What a GeneratedShadowMap node says; false when such a map is never drawn.
-bool read_written_map(SceneContext& context, NodeId written, SceneShadowMap& map) {
+bool read_written_map(SceneContext& context, NodeId written, std::uint32_t wanted_size, SceneShadowMap& map) {
   const NodeGraph& graph = context.graph;
   map.update = read_update(context, written);
   if (map.update == ShadowUpdate::none) {
     if (graph.string(written, "update") == "NONE") report_never_drawn(context, written);
     return false;
   }
-  map.size = read_size(context, written);
-  map.method = shadow_method_named(graph.string(written, "method")).value_or(map.method);
+  map.size = read_size(context, written, wanted_size);
+  map.size_written = graph.is_written(written, "size");
+  const auto method = shadow_method_named(graph.string(written, "method"));
+  map.method = method.value_or(map.method);
+  map.method_written = method.has_value();
   map.scale_written = is_chosen(context, written, "scale");
   map.bias_written = is_chosen(context, written, "bias");
   if (map.scale_written) map.scale = context.slots.slot(written, "scale");
@@ -129,19 +132,44 @@ void choose_cube_method(SceneContext& context, const SceneLight& light, NodeId w
                                          to_text(wanted), to_text(map.method)));
 }
 
+/// What the map that is added next gets where nothing is written.
+void take_choice(SceneContext& context, ShadowDefaults& defaults, SceneShadowMap& map) {
+  for (const ShadowChoice& choice : context.options.choices) {
+    if (choice.map != context.scene.shadow_maps.size()) continue;
+    map.choice = choice;
+    defaults = {choice.method, choice.size};
+  }
+}
+
+void report_missed_budget(SceneContext& context, const SceneLight& light, const SceneShadowMap& map) {
+  if (!map.choice || map.choice->error <= map.choice->budget) return;
+  context.diagnostics.report(
+      DiagnosticId::shadow_error_missed, context.graph[light.node].type_span,
+      fmt::format(
+          "this light's shadow cannot be within {:.3g} % of wrong pixels; the nearest is {:.3g} %, by `{}` with {} texels",
+          100 * map.choice->budget, 100 * map.choice->error, to_text(map.method), map.size));
+}
+
+double slope_scale(const SceneShadowMap& map) {
+  return map.choice && map.choice->scale > 0 ? map.choice->scale : automatic_slope_scale(map.method);
+}
+
 /// The map of a light as `written` says, or as nobody says; its index, or -1.
 int add_shadow_map(SceneContext& context, int light_index, NodeId written) {
   const SceneLight& light = context.scene.lights[static_cast<std::size_t>(light_index)];
   if (!can_have_map(context, light)) return -1;
   SceneShadowMap map;
   map.light = light_index;
-  map.method = context.options.shadows.method;
-  if (context.options.shadows.size != 0) map.size = context.options.shadows.size;
-  if (written.valid() && !read_written_map(context, written, map)) return -1;
+  ShadowDefaults defaults = context.options.shadows;
+  take_choice(context, defaults, map);
+  map.method = defaults.method;
+  if (defaults.size != 0) map.size = defaults.size;
+  if (written.valid() && !read_written_map(context, written, defaults.size, map)) return -1;
   if (light.kind == LightKind::point) choose_cube_method(context, light, written, map);
   limit_moment_map(context, written, map);
-  if (!map.scale_written) map.scale = context.slots.constant(SlotType::float_, {automatic_slope_scale(map.method)});
+  if (!map.scale_written) map.scale = context.slots.constant(SlotType::float_, {slope_scale(map)});
   if (!map.bias_written) map.bias = context.slots.constant(SlotType::float_, {kAutomaticDepthBias});
+  report_missed_budget(context, light, map);
   check_projection(context, light);
   read_projection(context, light, map);
   context.scene.shadow_maps.push_back(map);

@@ -31,7 +31,9 @@ constexpr std::array kRooms = {
     RoomRule{"compiler", "base document scene mesh image glsl compose validate lint package package_file"},
     RoomRule{"runtime/gl", "base package_file"},
     RoomRule{"runtime", "base package_file runtime/gl"},
-    RoomRule{"cli", "base document scene mesh image glsl compose validate lint package package_file compiler runtime"},
+    RoomRule{"runtime/measure", "base package_file runtime/gl runtime"},
+    RoomRule{"cli",
+             "base document scene mesh image glsl compose validate lint package package_file compiler runtime runtime/measure"},
 };
 
 struct Prefix {
@@ -57,6 +59,7 @@ constexpr std::array kPrefixes = {
     Prefix{"compiler/cli/", "cli"},
     Prefix{"compiler/", "compiler"},
     Prefix{"runtime/gl/", "runtime/gl"},
+    Prefix{"runtime/measure/", "runtime/measure"},
     Prefix{"runtime/", "runtime"},
     Prefix{"stdlib_plugs/", "stdlib_plugs"},
 };

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "runtime/measure/measured_scene.h"
 #include "shadows/compile_scene.h"
 #include "shadows/experiments.h"
-#include "shadows/lab_scene.h"
 
 namespace plugc {
 namespace {
@@ -30,7 +30,7 @@ class ErrorTable {
       fmt::print(stderr, "{}\n", error);
       return;
     }
-    const auto loaded = load_lab_scene(lab_.studio, bytes, {});
+    const auto loaded = load_measured_scene(lab_.studio, bytes, {});
     const JudgedScene judged = judge_scene(lab_.studio, *loaded, judged_frames(*loaded->package.package, lab_.quick));
     if (judged.views.empty())
       fmt::print(stderr, "{}: no light of it has a shadow map yet, so it is left out\n", scene.string());
@@ -46,7 +46,7 @@ class ErrorTable {
     if (bytes.empty()) fmt::print(stderr, "{}\n", error);
     if (bytes.empty()) return;
     for (const std::uint32_t size : map_sizes(lab_, method)) {
-      const auto loaded = load_lab_scene(lab_.studio, bytes, sized(size));
+      const auto loaded = load_measured_scene(lab_.studio, bytes, sized(size));
       for (const JudgedView& view : judged.views) {
         const MeanErrors mean = measure_errors(lab_.studio, *loaded, judged, view, shift_count(lab_, size));
         const double leak = method.ends_with("sm") ? measure_leak(lab_.studio, *loaded, judged, view) : 0;  // of moment maps

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "shadows/instrument.h"
-#include "shadows/studio.h"
+#include "runtime/measure/instrument.h"
+#include "runtime/measure/studio.h"
 #include "validate/validate.h"
 
 namespace plugc {
@@ -35,6 +35,9 @@ void measure_lookups(Lab& lab);
 void sweep_bias(Lab& lab);
 /// stability.csv: the light's elevation, far / near, the scene's scale and its distance from the origin.
 void sweep_stability(Lab& lab);
+
+/// budget.csv: what --shadow-error chooses in each scene, against the cheapest of everything; everything.csv: that.
+void evaluate_budgets(Lab& lab);
 
 /// One line of a table. Numbers have six significant digits.
 std::string csv_line(const std::vector<std::string>& words, const std::vector<double>& numbers);

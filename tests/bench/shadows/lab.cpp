@@ -69,6 +69,7 @@ int measure(const Arguments& arguments) {
   run("errors", measure_all_errors);
   run("bias", sweep_bias);
   run("stability", sweep_stability);
+  run("budget", evaluate_budgets);
   for (const std::string& message : studio->take_messages()) fmt::print(stderr, "shadow_lab: {}\n", message);
   return 0;
 }

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "runtime/measure/measured_scene.h"
 #include "shadows/compile_scene.h"
 #include "shadows/experiments.h"
-#include "shadows/lab_scene.h"
 
 namespace plugc {
 namespace {
@@ -60,7 +60,7 @@ const fs::path* find_scene(const Lab& lab, const std::string& stem) {
   return nullptr;
 }
 
-std::vector<FrameOptions> first_view(const LabScene& scene) {
+std::vector<FrameOptions> first_view(const MeasuredScene& scene) {
   std::vector<FrameOptions> frames = judged_frames(*scene.package.package, false);
   frames.resize(1);
   return frames;
@@ -76,7 +76,7 @@ void run(Lab& lab, const Sweep& sweep, const std::string& method, std::ofstream&
     Settings settings;
     settings.size = kSize;
     sweep.apply(settings, value);
-    const auto loaded = load_lab_scene(lab.studio, bytes, settings);
+    const auto loaded = load_measured_scene(lab.studio, bytes, settings);
     const JudgedScene judged = judge_scene(lab.studio, *loaded, first_view(*loaded));
     for (const JudgedView& view : judged.views) {
       const MeanErrors mean = measure_errors(lab.studio, *loaded, judged, view, lab.quick ? 1 : 16);
@@ -93,7 +93,7 @@ void run_bias(Lab& lab, const fs::path& scene, const std::string& method, std::o
   const std::vector<std::uint8_t> bytes = compile_scene(scene, method, lab.validator, error);
   if (bytes.empty()) fmt::print(stderr, "{}\n", error);
   if (bytes.empty()) return;
-  const auto first = load_lab_scene(lab.studio, bytes, {});
+  const auto first = load_measured_scene(lab.studio, bytes, {});
   const JudgedScene judged = judge_scene(lab.studio, *first, first_view(*first));
   for (const double scale : {0.0, 0.5, 1.0, 1.1, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 16.0}) {
     for (const double bias : {0.0, 1.0, 4.0, 16.0, 256.0}) {
@@ -101,7 +101,7 @@ void run_bias(Lab& lab, const fs::path& scene, const std::string& method, std::o
       Settings settings = sized(kSize);
       settings.scale = scale;
       settings.bias = bias;
-      const auto loaded = load_lab_scene(lab.studio, bytes, settings);
+      const auto loaded = load_measured_scene(lab.studio, bytes, settings);
       for (const JudgedView& view : judged.views) {
         const MeanErrors mean = measure_errors(lab.studio, *loaded, judged, view, 1);
         file << csv_line({scene.stem().string(), method},

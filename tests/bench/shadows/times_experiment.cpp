@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "runtime/measure/instrument.h"
 #include "shadows/compile_scene.h"
 #include "shadows/experiments.h"
-#include "shadows/instrument.h"
 
 namespace plugc {
 namespace {

@@ -300,6 +300,40 @@ TEST(CommandLine, AShadowMethodCannotChangeAPackage) {
   }
 }
 
+constexpr std::string_view kShadowed = R"(#X3D V4.0 utf8
+NavigationInfo { headlight FALSE }
+Viewpoint { position 0 9 11 orientation 1 0 0 -0.68 }
+DEF Sun DirectionalLight { direction -0.5 -1 -0.3 shadows TRUE }
+Shape { appearance Appearance { material Material { } } geometry Box { size 3 1 3 } }
+Transform { translation 0 -1 0 children Shape { appearance Appearance { material Material { } } geometry Box { size 30 1 30 } } }
+)";
+
+TEST(CommandLine, BuildChoosesShadowsForAnErrorAndTellsWhy) {
+  const SceneFolder folder;
+  folder.write("scene.x3dv", kShadowed);
+  const Ended run = run_plugc(folder, "build scene.x3dv -o scene.plugpack --shadow-error 1% --size 160x90");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, testing::ContainsRegex(
+                           "shadow of `Sun`: [a-z0-9]+ [0-9]+, slope scale [0-9]: 0[.][0-9]+ % of pixels wrong, 1 % allowed"));
+  EXPECT_THAT(run.out, HasSubstr("<- taken"));
+  const Ended inspected = run_plugc(folder, "inspect scene.plugpack --dump package");
+  EXPECT_THAT(inspected.out, testing::ContainsRegex("chosen for at most 1 % of wrong pixels: 0[.][0-9]+ % in 1 view,"));
+}
+
+TEST(CommandLine, AShadowErrorIsAPercentage) {
+  const SceneFolder folder;
+  folder.write("scene.x3dv", kShadowed);
+  for (const std::string_view wrong : {"0.5", "0%", "100%", "few"}) {
+    const Ended run = run_plugc(folder, fmt::format("build scene.x3dv -o scene.plugpack --shadow-error {}", wrong));
+    EXPECT_EQ(run.status, 2) << wrong;
+    EXPECT_THAT(run.out + run.err,
+                HasSubstr(fmt::format("`{}` is no share of wrong pixels; write a percentage, e.g. 0.5%", wrong)));
+  }
+  const Ended size = run_plugc(folder, "build scene.x3dv -o scene.plugpack --shadow-error 1% --size 0x90");
+  EXPECT_EQ(size.status, 2);
+  EXPECT_THAT(size.err, HasSubstr("`--size 0x90` is no size"));
+}
+
 TEST(CommandLine, InspectWritesTheSceneInEachEncoding) {
   const SceneFolder folder;
   folder.write("fine.x3dv", kFine);

@@ -60,7 +60,7 @@ TEST(ShadowAccuracy, TheSharpenedKernelHalvesTheErrorOfTheNearestTexel) {
 
 double largest_difference(const JudgedText& text, const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
   const auto picture = [&](const std::vector<std::uint8_t>& package) {
-    const auto scene = load_lab_scene(process_studio(), package, of_size(512));
+    const auto scene = load_measured_scene(process_studio(), package, of_size(512));
     return measure_visibility(process_studio(), *scene, text.view(), glm::dvec2(0));
   };
   const std::vector<float> first = picture(a);
@@ -88,7 +88,7 @@ TEST(ShadowAccuracy, MomentsLetHardlyAnyLightIntoFullShadow) {
   for (const NamedScene& scene : kPlanesAndBoxes) {
     const JudgedText text = judge_text(scene.text());
     for (const char* method : {"vsm", "evsm"}) {
-      const auto lab = load_lab_scene(process_studio(), package_of(scene.text(), method), of_size(1024));
+      const auto lab = load_measured_scene(process_studio(), package_of(scene.text(), method), of_size(1024));
       EXPECT_LE(measure_leak(process_studio(), *lab, text.judged, text.view()), kMost) << scene.name << ", " << method;
     }
   }

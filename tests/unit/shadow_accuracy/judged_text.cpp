@@ -53,7 +53,7 @@ std::vector<std::uint8_t> package_of(const std::string& scene, const std::string
 
 JudgedText judge_text(const std::string& scene) {
   JudgedText text;
-  text.scene = load_lab_scene(process_studio(), package_of(scene), {});
+  text.scene = load_measured_scene(process_studio(), package_of(scene), {});
   FrameOptions frame;
   frame.width = 640;
   frame.height = 360;
@@ -65,7 +65,7 @@ JudgedText judge_text(const std::string& scene) {
 
 MeanErrors errors_of(const JudgedText& judged, const std::vector<std::uint8_t>& package, const Settings& settings,
                      int shift_count) {
-  const auto scene = load_lab_scene(process_studio(), package, settings);
+  const auto scene = load_measured_scene(process_studio(), package, settings);
   return measure_errors(process_studio(), *scene, judged.judged, judged.view(), shift_count);
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shadows/lab_scene.h"
+#include "runtime/measure/measured_scene.h"
 
 namespace plugc {
 
@@ -19,7 +19,7 @@ std::vector<std::uint8_t> package_of(const std::string& scene, const std::string
 
 /// One scene with one map, seen from its first viewpoint in a picture of 640 by 360.
 struct JudgedText {
-  std::unique_ptr<LabScene> scene;
+  std::unique_ptr<MeasuredScene> scene;
   JudgedScene judged;
 
   const JudgedView& view() const { return judged.views.at(0); }

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "judged_text.h"
-#include "shadows/floor.h"
+#include "runtime/measure/floor.h"
 
 namespace plugc {
 namespace {
@@ -89,7 +89,7 @@ TEST(ShadowTruth, ASceneFarFromItsOriginHasTheSameShadow) {
   for (const double distance : {0.0, 1e6}) {
     Settings settings;
     settings.scene_offset = glm::dvec3(distance, 0.5 * distance, -distance);
-    const auto scene = load_lab_scene(process_studio(), package, settings);
+    const auto scene = load_measured_scene(process_studio(), package, settings);
     shadowed.push_back(judge_scene(process_studio(), *scene, {frame}).views.at(0).truth.shadowed);
   }
   EXPECT_NEAR(shadowed[0], shadowed[1], 2);

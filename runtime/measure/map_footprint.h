@@ -1,8 +1,8 @@
 #pragma once
 // Where a surface lies in a shadow map, and how it moves there: texels per step on the surface.
 
+#include "runtime/measure/truth.h"
 #include "runtime/world.h"
-#include "shadows/truth.h"
 
 namespace plugc {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "shadows/truth.h"
+#include "runtime/measure/truth.h"
 
 namespace plugc {
 

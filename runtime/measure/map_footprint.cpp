@@ -1,4 +1,4 @@
-#include "shadows/map_footprint.h"
+#include "runtime/measure/map_footprint.h"
 
 #include <cmath>
 

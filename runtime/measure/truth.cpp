@@ -1,13 +1,13 @@
 // The receiver of a pixel is not what a camera ray hits, but the triangle that OpenGL drew there: the pixel's ray is cut with
 // that triangle's plane. So rasteriser and tracer cannot disagree about what is seen, and no depth is rounded.
 
-#include "shadows/truth.h"
+#include "runtime/measure/truth.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "shadows/instrument.h"
+#include "runtime/measure/instrument.h"
 
 namespace plugc {
 namespace {
@@ -36,8 +36,8 @@ TruthPixel find_receiver(const Plane& plane, const TriangleId& id, const CameraR
 
 }  // namespace
 
-TruthPicture trace_picture(const Shot& shot, const LoadedScene& scene, const std::vector<Surface>& surfaces,
-                           const Tracer& tracer, std::uint32_t map, const View& camera) {
+TruthPicture find_receivers(const Shot& shot, const LoadedScene& scene, const std::vector<Surface>& surfaces, std::uint32_t map,
+                            const View& camera) {
   TruthPicture picture{shot.width, shot.height, std::vector<TruthPixel>(shot.triangles.size()), 0, 0};
   const CameraRays rays(camera, shot.width, shot.height);
   const LightSource light =
@@ -59,11 +59,29 @@ TruthPicture trace_picture(const Shot& shot, const LoadedScene& scene, const std
     pixel.facing = glm::dot(pixel.normal, towards_light(light, pixel.point));
     pixel.counted = pixel.counted && pixel.facing > kGrazing;
     if (!pixel.counted) continue;
-    pixel.lit = !tracer.shadowed(pixel.point, id, light);
+    pixel.lit = true;
     ++picture.counted;
-    picture.shadowed += pixel.lit ? 0 : 1;
   }
   return picture;
+}
+
+void trace_truth(TruthPicture& picture, const Tracer& tracer, const LightSource& light) {
+  picture.shadowed = 0;
+  for (TruthPixel& pixel : picture.pixels) {
+    if (!pixel.counted) continue;
+    pixel.lit = !tracer.shadowed(pixel.point, pixel.triangle, light);
+    picture.shadowed += pixel.lit ? 0 : 1;
+  }
+}
+
+void take_for_truth(TruthPicture& picture, const std::vector<float>& visibility) {
+  picture.shadowed = 0;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    TruthPixel& pixel = picture.pixels[i];
+    if (!pixel.counted) continue;
+    pixel.lit = visibility[i] > 0.5F;
+    picture.shadowed += pixel.lit ? 0 : 1;
+  }
 }
 
 }  // namespace plugc

@@ -2,14 +2,14 @@
 // the very draw that makes the colour, discarded where that is, and no second pass has to match the first.
 // The number of the shape comes from a uniform, and that from a slot, as every other number of a package does.
 
-#include "shadows/instrument.h"
+#include "runtime/measure/instrument.h"
 
 #include <set>
 
 namespace plugc {
 namespace {
 
-constexpr const char* kShapeUniform = "lab_shape";
+constexpr const char* kShapeUniform = "measured_shape";
 
 std::uint32_t add_slot(PackedSceneT& scene, PackedValueType type, double value) {
   scene.slots.emplace_back(static_cast<std::uint32_t>(scene.slot_values.size()), 1, type);
@@ -64,10 +64,10 @@ void write_triangle(PackedStageT& stage) {
   const std::string main = "void main()";
   const std::size_t at = stage.text.rfind(main);
   if (stage.kind != PackedStageKind::fragment || at == std::string::npos) return;
-  stage.text.replace(at, main.size(), "void lab_main()");
+  stage.text.replace(at, main.size(), "void measured_main()");
   stage.text += "\nuniform float " + std::string(kShapeUniform) +
-                ";\nlayout(location = 1) out vec4 lab_triangle;\nvoid main()\n{\n  lab_main();\n"
-                "  lab_triangle = vec4(" +
+                ";\nlayout(location = 1) out vec4 measured_triangle;\nvoid main()\n{\n  measured_main();\n"
+                "  measured_triangle = vec4(" +
                 kShapeUniform + ", float(gl_PrimitiveID), 0.0, " + std::to_string(kSeen) + ");\n}\n";
 }
 
@@ -98,6 +98,13 @@ void number_shapes(PackageT& package) {
   }
 }
 
+std::vector<std::uint32_t> separate_scales(PackedSceneT& scene) {
+  std::vector<std::uint32_t> slots;
+  for (auto& map : scene.shadow_maps)
+    slots.push_back(map->scale = add_slot(scene, PackedValueType::float_, value_of(scene, map->scale, 0)));
+  return slots;
+}
+
 std::vector<LightSlots> separate_lights(PackedSceneT& scene) {
   std::vector<LightSlots> lights;
   for (auto& light : scene.lights) {
@@ -109,6 +116,22 @@ std::vector<LightSlots> separate_lights(PackedSceneT& scene) {
   return lights;
 }
 
+/// Where a shadow falls does not depend on how dark it is; only a whole one is told from light everywhere.
+void darken_shadows(PackageT& package) {
+  PackedSceneT& scene = *package.scenes[0];
+  const auto darken = [&](std::uint32_t program, const std::vector<PackedBinding>& bindings) {
+    for (const PackedBinding& binding : bindings) {
+      const std::string& uniform = package.programs[program]->uniforms[binding.uniform()]->name;
+      const bool is_intensity = binding.source() == PackedSource::slot && uniform.starts_with("castle_shadow_intensity_");
+      if (is_intensity) scene.slot_values[scene.slots[binding.a()].first()] = 1;
+    }
+  };
+  for (const auto& shape : scene.shapes) {
+    darken(shape->program, shape->bindings);
+    for (const auto& variant : shape->variants) darken(variant->program, variant->bindings);
+  }
+}
+
 }  // namespace
 
 MeasurablePackage make_measurable(const std::vector<std::uint8_t>& bytes, const Settings& settings) {
@@ -117,6 +140,8 @@ MeasurablePackage make_measurable(const std::vector<std::uint8_t>& bytes, const 
   apply(scene, settings);
   MeasurablePackage made;
   made.lights = separate_lights(scene);
+  made.scales = separate_scales(scene);
+  darken_shadows(*package);
   number_shapes(*package);
   made.bytes = write_package(*package);
   made.package = open_package(made.bytes).package;

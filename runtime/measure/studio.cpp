@@ -1,41 +1,14 @@
-// OpenGL functions that the runtime itself does not call are asked for by name.
+#include "runtime/measure/studio.h"
 
-#include "shadows/studio.h"
-
-#include <array>
 #include <chrono>
 #include <ctime>
 
 #include "runtime/draw_frame.h"
+#include "runtime/gl/measuring_target.h"
 #include "runtime/gl/pass.h"
 
 namespace plugc {
 namespace {
-
-struct MeasuringTarget {
-  gl::Framebuffer framebuffer;
-  gl::Renderbuffer color;
-  gl::Renderbuffer triangle;
-  gl::Renderbuffer depth;
-  GLsizei width = 0;
-  GLsizei height = 0;
-};
-
-gl::Renderbuffer attach(const gl::Functions& gl, GLenum attachment, GLenum format, GLsizei width, GLsizei height) {
-  gl::Renderbuffer buffer = gl::generate<gl::Renderbuffer>(gl, gl.GenRenderbuffers);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-  gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.id());
-  return buffer;
-}
-
-std::vector<glm::vec4> read_floats(const gl::Functions& gl, GLenum attachment, GLsizei width, GLsizei height) {
-  std::vector<glm::vec4> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  gl.ReadBuffer(attachment);
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, values.data());
-  return values;
-}
 
 double processor_milliseconds() {
   timespec time{};
@@ -48,9 +21,7 @@ double processor_milliseconds() {
 struct Studio::State {
   std::unique_ptr<gl::Context> context;
   gl::Functions gl;
-  PFNGLDRAWBUFFERSPROC draw_buffers = nullptr;
-  PFNGLFINISHPROC finish = nullptr;
-  MeasuringTarget target;
+  gl::MeasuringTarget target;
   gl::ColorTarget shown;
   Messages messages;
 };
@@ -61,14 +32,12 @@ Studio::~Studio() {
   if (state_->context != nullptr) state_->context->make_current();
 }
 
-std::unique_ptr<Studio> Studio::make(const std::string& cache_folder, std::string& error) {
+std::unique_ptr<Studio> Studio::make(const std::string& cache_folder, std::string& error, bool single_picture) {
   std::unique_ptr<Studio> studio(new Studio());
   State& state = *studio->state_;
-  state.context = gl::make_context({false, cache_folder}, error);
+  state.context = gl::make_context({single_picture, cache_folder}, error);
   if (state.context == nullptr || !state.context->make_current()) return nullptr;
   if (!gl::load_functions(*state.context, state.gl, error)) return nullptr;
-  state.draw_buffers = reinterpret_cast<PFNGLDRAWBUFFERSPROC>(state.context->function("glDrawBuffers"));
-  state.finish = reinterpret_cast<PFNGLFINISHPROC>(state.context->function("glFinish"));
   gl::set_context_defaults(state.gl);
   return studio;
 }
@@ -81,25 +50,20 @@ Shot Studio::shoot(LoadedScene& scene, const FrameOptions& options) {
   State& state = *state_;
   const auto width = static_cast<GLsizei>(options.width);
   const auto height = static_cast<GLsizei>(options.height);
-  MeasuringTarget& target = state.target;
+  gl::MeasuringTarget& target = state.target;
   if (target.width != width || target.height != height) {
-    target = {};
-    target.framebuffer = gl::generate<gl::Framebuffer>(state.gl, state.gl.GenFramebuffers);
-    state.gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-    target.color = attach(state.gl, GL_COLOR_ATTACHMENT0, GL_RGBA32F, width, height);
-    target.triangle = attach(state.gl, GL_COLOR_ATTACHMENT1, GL_RGBA32F, width, height);
-    target.depth = attach(state.gl, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height);
-    constexpr std::array<GLenum, 2> both = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    state.draw_buffers(2, both.data());
-    target.width = width;
-    target.height = height;
+    target = {};  // the old one's memory goes first
+    target = gl::make_measuring_target(state.gl, width, height);
   }
   draw_frame(state.gl, scene, {target.framebuffer, width, height}, options, state.messages);
-  state.gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-  Shot shot{width, height, read_floats(state.gl, GL_COLOR_ATTACHMENT0, width, height),
-            read_floats(state.gl, GL_COLOR_ATTACHMENT1, width, height)};
+  Shot shot{width, height, gl::read_output(state.gl, target, 0), gl::read_output(state.gl, target, 1)};
   for (const std::string& error : gl::take_errors(state.gl)) state.messages.add("OpenGL error " + error);
   return shot;
+}
+
+void Studio::resize_map(LoadedScene& scene, std::uint32_t map, std::uint32_t size) {
+  if (static_cast<std::uint32_t>(scene.shadow_maps[map].size) == size) return;
+  resize_shadow_map(state_->gl, *scene.packed, map, size, scene.shadow_maps[map], state_->messages);
 }
 
 FrameTime Studio::time_frame(LoadedScene& scene, const FrameOptions& options, bool draw_maps) {
@@ -111,11 +75,11 @@ FrameTime Studio::time_frame(LoadedScene& scene, const FrameOptions& options, bo
     state.shown = gl::make_color_target(state.gl, width, height, 1);
   }
   if (draw_maps) forget_maps(scene);
-  state.finish();
+  state.gl.Finish();
   const auto start = std::chrono::steady_clock::now();
   const double processor_start = processor_milliseconds();
   draw_frame(state.gl, scene, {state.shown.framebuffer, width, height}, options, state.messages);
-  state.finish();
+  state.gl.Finish();
   return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(),
           processor_milliseconds() - processor_start};
 }

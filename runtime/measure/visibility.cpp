@@ -1,4 +1,4 @@
-#include "shadows/visibility.h"
+#include "runtime/measure/visibility.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 // A measured shadow against the true one.
 
+#include "runtime/measure/map_footprint.h"
 #include "runtime/tracer.h"
-#include "shadows/map_footprint.h"
 
 namespace plugc {
 
@@ -19,7 +19,9 @@ struct ShadowErrors {
   double wrong() const { return false_shadow + false_lit; }
 };
 
-/// `visibility` as measured_visibility() gives it.
+/// All but the distances from the edge. `visibility` as measured_visibility() gives it.
+ShadowErrors count_errors(const TruthPicture& truth, const std::vector<float>& visibility);
+/// All of it: the distances are found with rays.
 ShadowErrors compare(const TruthPicture& truth, const std::vector<float>& visibility, const MapProjection& map,
                      const Tracer& tracer, const LightSource& light);
 

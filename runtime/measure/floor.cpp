@@ -2,7 +2,7 @@
 // mask shows stands for a piece of edge: a crossing between columns for |n.x| of its length, one between rows for |n.y|, which
 // add up to dl. A texel centre lies J^-1 d away on screen, d within half a texel: along the normal that is |n . J^-1 d|.
 
-#include "shadows/floor.h"
+#include "runtime/measure/floor.h"
 
 #include <algorithm>
 #include <cmath>

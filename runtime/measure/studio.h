@@ -31,12 +31,15 @@ struct FrameTime {
 class Studio {
  public:
   /// Null, with `error`, where the machine has no OpenGL. `cache_folder` keeps the driver's code; empty: the driver's own.
-  static std::unique_ptr<Studio> make(const std::string& cache_folder, std::string& error);
+  /// `single_picture` as in RendererOptions.
+  static std::unique_ptr<Studio> make(const std::string& cache_folder, std::string& error, bool single_picture = false);
   ~Studio();
 
   LoadedScene load(const Package& package);
   /// `samples` is ignored: one.
   Shot shoot(LoadedScene& scene, const FrameOptions& options);
+  /// The map gets that many texels a side.
+  void resize_map(LoadedScene& scene, std::uint32_t map, std::uint32_t size);
   /// What a frame of 8 bits costs until it is finished, its maps drawn anew or kept.
   FrameTime time_frame(LoadedScene& scene, const FrameOptions& options, bool draw_maps);
   /// What the runtime said since the last call.

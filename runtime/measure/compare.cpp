@@ -2,9 +2,8 @@
 // texel away in the map, then four. Where one of them says something else than the pixel's own ray, the edge is nearer than
 // that.
 
-#include "shadows/compare.h"
+#include "runtime/measure/compare.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +23,10 @@ bool changes_within(const TruthPixel& pixel, double texels, const MapProjection&
   return false;
 }
 
+bool is_lit(float share) {
+  return share > 0.5F;
+}
+
 enum class EdgeDistance { one_texel, four_texels, far };
 
 EdgeDistance distance_from_edge(const TruthPixel& pixel, const MapProjection& map, const Tracer& tracer,
@@ -37,10 +40,8 @@ EdgeDistance distance_from_edge(const TruthPixel& pixel, const MapProjection& ma
 
 }  // namespace
 
-ShadowErrors compare(const TruthPicture& truth, const std::vector<float>& visibility, const MapProjection& map,
-                     const Tracer& tracer, const LightSource& light) {
+ShadowErrors count_errors(const TruthPicture& truth, const std::vector<float>& visibility) {
   ShadowErrors sum;
-  std::array<double, 3> buckets{};
   double facing = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
     const TruthPixel& pixel = truth.pixels[i];
@@ -48,14 +49,33 @@ ShadowErrors compare(const TruthPicture& truth, const std::vector<float>& visibi
     const auto share = static_cast<double>(visibility[i]);
     facing += pixel.facing;
     sum.mean_absolute += std::abs(share - (pixel.lit ? 1 : 0));
-    if ((share > 0.5) == pixel.lit) continue;
+    if (is_lit(visibility[i]) == pixel.lit) continue;
     (pixel.lit ? sum.false_shadow : sum.false_lit) += 1;
     sum.weighted += pixel.facing;
-    buckets[static_cast<std::size_t>(distance_from_edge(pixel, map, tracer, light))] += 1;
   }
   const double count = truth.counted > 0 ? truth.counted : 1;
-  return {sum.false_shadow / count, sum.false_lit / count, sum.mean_absolute / count, facing > 0 ? sum.weighted / facing : 0,
-          buckets[0] / count,       buckets[1] / count,    buckets[2] / count};
+  ShadowErrors errors;
+  errors.false_shadow = sum.false_shadow / count;
+  errors.false_lit = sum.false_lit / count;
+  errors.mean_absolute = sum.mean_absolute / count;
+  errors.weighted = facing > 0 ? sum.weighted / facing : 0;
+  return errors;
+}
+
+ShadowErrors compare(const TruthPicture& truth, const std::vector<float>& visibility, const MapProjection& map,
+                     const Tracer& tracer, const LightSource& light) {
+  ShadowErrors errors = count_errors(truth, visibility);
+  const double share = truth.counted > 0 ? 1.0 / truth.counted : 0;
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    const TruthPixel& pixel = truth.pixels[i];
+    if (!pixel.counted || is_lit(visibility[i]) == pixel.lit) continue;
+    switch (distance_from_edge(pixel, map, tracer, light)) {
+      case EdgeDistance::one_texel: errors.at_edge += share; break;
+      case EdgeDistance::four_texels: errors.near_edge += share; break;
+      case EdgeDistance::far: errors.far_from_edge += share; break;
+    }
+  }
+  return errors;
 }
 
 ShadowErrors errors_without_shadow(const TruthPicture& truth) {

@@ -34,7 +34,8 @@ struct LightSlots {
 struct MeasurablePackage {
   std::vector<std::uint8_t> bytes;
   const Package* package = nullptr;
-  std::vector<LightSlots> lights;  ///< By light of scene 0.
+  std::vector<LightSlots> lights;     ///< By light of scene 0.
+  std::vector<std::uint32_t> scales;  ///< By shadow map of scene 0: the slot of glPolygonOffset's first factor.
 };
 
 /// Colour programs write into output 1: shape, triangle, 0, kSeen.

@@ -1,7 +1,7 @@
 #pragma once
 // The least error that a map of a given projection can have: it knows the scene at texel centres only.
 
-#include "shadows/map_footprint.h"
+#include "runtime/measure/map_footprint.h"
 
 namespace plugc {
 
