@@ -39,7 +39,7 @@ struct JudgedScene {
   std::vector<JudgedView> views;
 };
 
-/// The scene without any view.
+/// The scene without any view. Its alpha tests point into the package of `scene`.
 JudgedScene read_judged_scene(MeasuredScene& scene);
 /// What map `map` shadows in a frame. Without a tracer the scene's own map, as it is now, stands for the truth.
 JudgedView judge_view(Studio& studio, MeasuredScene& scene, const JudgedScene& judged, const FrameOptions& frame,

@@ -20,6 +20,7 @@ constexpr double kBudgets[] = {0.0025, 0.005, 0.01, 0.02};
 
 /// Every map of a scene by every method and size.
 struct ExhaustiveTrials {
+  std::unique_ptr<MeasuredScene> scene;  ///< By `hard`: what is judged points into it.
   JudgedScene judged;
   std::vector<LightJudge> lights;
   std::vector<std::vector<ShadowTrial>> trials;  ///< By light; costs are still to be filled in.
@@ -49,7 +50,8 @@ ExhaustiveTrials try_everything(Lab& lab, const fs::path& scene) {
   std::string error;
   const std::vector<std::uint8_t> bytes = compile_scene(scene, "hard", lab.validator, error);
   if (bytes.empty()) return all;
-  const auto loaded = load_measured_scene(lab.studio, bytes, {});
+  all.scene = load_measured_scene(lab.studio, bytes, {});
+  MeasuredScene* const loaded = all.scene.get();
   all.judged = read_judged_scene(*loaded);
   const auto frames = judged_frames(*loaded->package.package, lab.quick);
   for (std::uint32_t map = 0; map < loaded->loaded.shadow_maps.size(); ++map) {
@@ -90,7 +92,7 @@ double built_error(Lab& lab, const fs::path& scene, const ChosenShadow& chosen, 
   const PackedShadowMap& map = *built->loaded.packed->shadow_maps()->Get(light.map);
   const ShadowConfiguration configuration{map.method(), map.size(), built->loaded.slots.number(map.scale(), 0)};
   const auto frames = viewpoint_frames(*built->loaded.packed, 1280, 720, 16e6);
-  return drawn_error(lab.studio, *built, *built, all.judged, frames, light, configuration);
+  return drawn_error(lab.studio, *built, *all.scene, all.judged, frames, light, configuration);
 }
 
 void evaluate(Lab& lab, const fs::path& scene, double budget, const ExhaustiveTrials& all, std::ofstream& file) {
