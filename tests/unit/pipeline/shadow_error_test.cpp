@@ -103,6 +103,8 @@ TEST_P(ShadowErrorPromise, IsKeptByThePackage) {
     EXPECT_LE(map_of(built).choice()->error(), GetParam());
     EXPECT_EQ(map_of(built).choice()->views(), 2U);
     EXPECT_DOUBLE_EQ(error_of(built, request), map_of(built).choice()->error());
+    EXPECT_GT(built.chosen.at(0).shadowed_share, 0.01) << "the truth has a shadow";
+    EXPECT_NE(map_of(built).method(), PackedShadowMethod::traced) << "a map can reach it";
   }
 }
 
