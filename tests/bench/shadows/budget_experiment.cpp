@@ -26,6 +26,17 @@ struct ExhaustiveTrials {
   std::vector<std::vector<ShadowTrial>> trials;  ///< By light; costs are still to be filled in.
 };
 
+/// Four an octave, as multiples of what the chooser may take.
+std::vector<std::uint32_t> sizes_to_try(const PackedShadowMap& map, std::uint32_t largest) {
+  if (map.size_written()) return {map.size()};
+  std::vector<std::uint32_t> sizes;
+  for (double size = kSmallestSize; size <= largest; size *= std::pow(2.0, 0.25)) {
+    const auto rounded = static_cast<std::uint32_t>(std::lround(size / kSizeStep)) * kSizeStep;
+    if (sizes.empty() || sizes.back() != rounded) sizes.push_back(rounded);
+  }
+  return sizes;
+}
+
 void try_method(Lab& lab, const fs::path& scene, const std::string& method, ExhaustiveTrials& all) {
   std::string error;
   const std::vector<std::uint8_t> bytes = compile_scene(scene, method, lab.validator, error);
@@ -33,10 +44,7 @@ void try_method(Lab& lab, const fs::path& scene, const std::string& method, Exha
   const auto loaded = load_measured_scene(lab.studio, bytes, {});
   for (std::size_t i = 0; i < all.lights.size(); ++i) {
     const PackedShadowMap& map = *loaded->loaded.packed->shadow_maps()->Get(all.lights[i].map);
-    std::vector<std::uint32_t> sizes = map_sizes(lab, method);
-    if (map.size_written()) sizes = {map.size()};
-    for (const std::uint32_t size : sizes) {
-      if (size > largest_map_size(*loaded->loaded.packed, all.lights[i].map)) continue;
+    for (const std::uint32_t size : sizes_to_try(map, largest_map_size(*loaded->loaded.packed, all.lights[i].map))) {
       const double scale = loaded->loaded.slots.number(map.scale(), 0);
       const ShadowConfiguration configuration{map.method(), size, scale};
       all.trials[i].push_back({configuration, measured_error(lab.studio, *loaded, all.lights[i], configuration), 0});
