@@ -2,26 +2,17 @@
 
 #include <array>
 
+#include "runtime/gl/target.h"
+
 namespace plugc::gl {
-namespace {
-
-Renderbuffer attach(const Functions& gl, GLenum attachment, GLenum format, GLsizei width, GLsizei height) {
-  Renderbuffer buffer = generate<Renderbuffer>(gl, gl.GenRenderbuffers);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-  gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.id());
-  return buffer;
-}
-
-}  // namespace
 
 MeasuringTarget make_measuring_target(const Functions& gl, GLsizei width, GLsizei height) {
   MeasuringTarget target;
   target.framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
   gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-  target.outputs[0] = attach(gl, GL_COLOR_ATTACHMENT0, GL_RGBA32F, width, height);
-  target.outputs[1] = attach(gl, GL_COLOR_ATTACHMENT1, GL_RGBA32F, width, height);
-  target.depth = attach(gl, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height);
+  target.outputs[0] = attach_renderbuffer(gl, GL_COLOR_ATTACHMENT0, GL_RGBA32F, width, height);
+  target.outputs[1] = attach_renderbuffer(gl, GL_COLOR_ATTACHMENT1, GL_RGBA32F, width, height);
+  target.depth = attach_renderbuffer(gl, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height);
   constexpr std::array<GLenum, 2> both = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
   gl.DrawBuffers(2, both.data());
   target.width = width;

@@ -7,21 +7,9 @@
 namespace plugc::gl {
 namespace {
 
-Renderbuffer make_renderbuffer(const Functions& gl, GLenum format, GLsizei width, GLsizei height, GLsizei samples) {
-  Renderbuffer buffer = generate<Renderbuffer>(gl, gl.GenRenderbuffers);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-  if (samples > 1)
-    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-  else
-    gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-  return buffer;
-}
-
-/// A framebuffer with that colour, bound.
-Framebuffer make_framebuffer(const Functions& gl, const Renderbuffer& color) {
+Framebuffer bind_new_framebuffer(const Functions& gl) {
   Framebuffer framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color.id());
   return framebuffer;
 }
 
@@ -31,6 +19,18 @@ bool is_complete(const Functions& gl) {
 
 }  // namespace
 
+Renderbuffer attach_renderbuffer(const Functions& gl, GLenum attachment, GLenum format, GLsizei width, GLsizei height,
+                                 GLsizei samples) {
+  Renderbuffer buffer = generate<Renderbuffer>(gl, gl.GenRenderbuffers);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+  if (samples > 1)
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  else
+    gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.id());
+  return buffer;
+}
+
 ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height, GLsizei samples) {
   ColorTarget target;
   target.width = width;
@@ -38,14 +38,13 @@ ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height
   target.samples = samples;
   bool complete = true;
   if (samples > 1) {
-    target.resolved_color = make_renderbuffer(gl, GL_RGBA8, width, height, 1);
-    target.resolved = make_framebuffer(gl, target.resolved_color);
+    target.resolved = bind_new_framebuffer(gl);
+    target.resolved_color = attach_renderbuffer(gl, GL_COLOR_ATTACHMENT0, GL_RGBA8, width, height);
     complete = is_complete(gl);
   }
-  target.color = make_renderbuffer(gl, GL_RGBA8, width, height, samples);
-  target.depth = make_renderbuffer(gl, GL_DEPTH_COMPONENT32F, width, height, samples);
-  target.framebuffer = make_framebuffer(gl, target.color);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
+  target.framebuffer = bind_new_framebuffer(gl);
+  target.color = attach_renderbuffer(gl, GL_COLOR_ATTACHMENT0, GL_RGBA8, width, height, samples);
+  target.depth = attach_renderbuffer(gl, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height, samples);
   if (complete && is_complete(gl)) return target;
   take_errors(gl);  // out of memory: told by the empty target, not again by the next draw
   return {};
@@ -60,8 +59,7 @@ void resolve(const Functions& gl, const ColorTarget& target) {
 }
 
 Framebuffer make_depth_target(const Functions& gl, const Texture& texture, GLenum face) {
-  Framebuffer framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  Framebuffer framebuffer = bind_new_framebuffer(gl);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, face, texture.id(), 0);
   gl.DrawBuffer(GL_NONE);
   gl.ReadBuffer(GL_NONE);
@@ -69,8 +67,7 @@ Framebuffer make_depth_target(const Functions& gl, const Texture& texture, GLenu
 }
 
 Framebuffer make_float_target(const Functions& gl, const Texture& texture) {
-  Framebuffer framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  Framebuffer framebuffer = bind_new_framebuffer(gl);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
   return framebuffer;
 }

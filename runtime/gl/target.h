@@ -21,6 +21,10 @@ struct ColorTarget {
 /// No framebuffer when the driver cannot give one of that size.
 ColorTarget make_color_target(const Functions& gl, GLsizei width, GLsizei height, GLsizei samples);
 
+/// A new renderbuffer as that attachment of the framebuffer that is bound. `samples` above 1: so many a pixel, or more.
+Renderbuffer attach_renderbuffer(const Functions& gl, GLenum attachment, GLenum format, GLsizei width, GLsizei height,
+                                 GLsizei samples = 1);
+
 /// Averages the samples, and binds for reading what has one sample a pixel.
 void resolve(const Functions& gl, const ColorTarget& target);
 

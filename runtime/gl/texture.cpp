@@ -181,34 +181,29 @@ void set_mask(const Functions& gl, Texture& texture, GLsizei width, GLsizei heig
 
 namespace {
 
-Sampler make_depth_sampler(const Functions& gl, GLint filter) {
+Sampler make_sampler(const Functions& gl, GLint compare_mode, GLint filter, GLint wrap) {
   Sampler sampler = generate<Sampler>(gl, gl.GenSamplers);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_MODE, compare_mode);
   gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, filter);
   gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, filter);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_S, wrap);
+  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_T, wrap);
   return sampler;
 }
 
 }  // namespace
 
 Sampler make_depth_texel_sampler(const Functions& gl) {
-  return make_depth_sampler(gl, GL_NEAREST);
+  return make_sampler(gl, GL_NONE, GL_NEAREST, GL_CLAMP_TO_EDGE);
 }
 
 Sampler make_depth_picture_sampler(const Functions& gl) {
-  return make_depth_sampler(gl, GL_LINEAR);
+  return make_sampler(gl, GL_NONE, GL_LINEAR, GL_CLAMP_TO_EDGE);
 }
 
 Sampler make_greater_sampler(const Functions& gl) {
-  Sampler sampler = generate<Sampler>(gl, gl.GenSamplers);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  Sampler sampler = make_sampler(gl, GL_COMPARE_REF_TO_TEXTURE, GL_LINEAR, GL_CLAMP_TO_BORDER);
   gl.SamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  gl.SamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
   constexpr std::array<GLfloat, 4> far = {1, 1, 1, 1};
   gl.SamplerParameterfv(sampler.id(), GL_TEXTURE_BORDER_COLOR, far.data());
   return sampler;

@@ -31,11 +31,11 @@ Texture make_lit_texture(const Functions& gl, GLenum target, bool reversed);
 /// A square texture of 32-bit floats, of two or of four channels, filtered, its edge repeated outside.
 Texture make_float_texture(const Functions& gl, GLsizei size, bool two_channels);
 
-/// Reads a depth texture as it is stored, texel by texel.
-Sampler make_depth_texel_sampler(const Functions& gl);
 /// One number a pixel, 0 to 255, read as the red of a picture of that size. Makes the texture where it is none.
 void set_mask(const Functions& gl, Texture& texture, GLsizei width, GLsizei height, const std::vector<std::uint8_t>& mask);
 
+/// Reads a depth texture as it is stored, texel by texel.
+Sampler make_depth_texel_sampler(const Functions& gl);
 /// Reads a depth texture as a grey picture: no comparison.
 Sampler make_depth_picture_sampler(const Functions& gl);
 

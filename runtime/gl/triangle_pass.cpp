@@ -5,6 +5,7 @@
 #include <array>
 
 #include "runtime/gl/program.h"
+#include "runtime/gl/target.h"
 #include "runtime/gl/texture.h"
 
 namespace plugc::gl {
@@ -67,20 +68,12 @@ void prepare_program(const Functions& gl, TrianglePass& pass) {
   pass.cutoff = uniform_location(gl, pass.program, "cutoff");
 }
 
-Renderbuffer attach(const Functions& gl, GLenum attachment, GLenum format, GLsizei width, GLsizei height) {
-  Renderbuffer buffer = generate<Renderbuffer>(gl, gl.GenRenderbuffers);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-  gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.id());
-  return buffer;
-}
-
 void prepare_target(const Functions& gl, TrianglePass& pass, GLsizei width, GLsizei height) {
   if (pass.framebuffer && pass.width == width && pass.height == height) return;
   pass.framebuffer = generate<Framebuffer>(gl, gl.GenFramebuffers);
   gl.BindFramebuffer(GL_FRAMEBUFFER, pass.framebuffer.id());
-  pass.triangles = attach(gl, GL_COLOR_ATTACHMENT0, GL_RG32F, width, height);
-  pass.depth = attach(gl, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height);
+  pass.triangles = attach_renderbuffer(gl, GL_COLOR_ATTACHMENT0, GL_RG32F, width, height);
+  pass.depth = attach_renderbuffer(gl, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height);
   pass.width = width;
   pass.height = height;
 }
