@@ -1,7 +1,7 @@
-// Tables of lines, and of how many characters stand before each block of bytes, are made when a place is first asked for; so
-// a place costs a bisection and one block, however long the line. A MappedText is a view of its source until something else
-// is appended. Then it is its bytes plus a sorted list of pieces; a piece either runs along its source byte for byte, or
-// stands still at one place (`fixed`).
+// A table of lines, and for long lines one of how many characters stand before each block of bytes, are made when a place is
+// first asked for; so a place costs a bisection and its line up to there, or of a long line two blocks. A MappedText is a view
+// of its source until something else is appended. Then it is its bytes plus a sorted list of pieces; a piece either runs along
+// its source byte for byte, or stands still at one place (`fixed`).
 
 #include "base/source.h"
 
@@ -89,13 +89,18 @@ std::uint32_t SourceSet::characters_before(const Source& source, std::uint32_t o
   return before[offset / kBlock] + count_characters(text.substr(offset - offset % kBlock, offset % kBlock));
 }
 
+std::uint32_t SourceSet::characters_between(const Source& source, std::uint32_t begin, std::uint32_t end) {
+  if (end - begin < kBlock) return count_characters(std::string_view(source.text).substr(begin, end - begin));
+  return characters_before(source, end) - characters_before(source, begin);
+}
+
 Position SourceSet::position(SourceId id, std::uint32_t offset) const {
   const Source& in = source(id);
   offset = std::min(offset, static_cast<std::uint32_t>(in.text.size()));
   const auto& starts = line_starts(in);
   const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
   const auto line = static_cast<std::uint32_t>(next - starts.begin());
-  const std::uint32_t counted = characters_before(in, offset) - characters_before(in, *(next - 1)) + 1;
+  const std::uint32_t counted = characters_between(in, *(next - 1), offset) + 1;
   const bool behind_mark = line == 1 && offset > 0 && in.text.starts_with(kByteOrderMark);
   return {line, behind_mark ? counted - 1 : counted};
 }

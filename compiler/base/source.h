@@ -70,6 +70,7 @@ class SourceSet {
   const Source& source(SourceId id) const;
   static const std::vector<std::uint32_t>& line_starts(const Source& source);
   static std::uint32_t characters_before(const Source& source, std::uint32_t offset);
+  static std::uint32_t characters_between(const Source& source, std::uint32_t begin, std::uint32_t end);
   std::deque<Source> sources_;
   std::map<std::uint32_t, Source> fixed_;  // by number
 };
