@@ -84,7 +84,7 @@ std::vector<Surface> read_surfaces(const Package& package, const PackedScene& sc
     if (surface.alpha_test) {
       for (const glm::dvec3& corner : read_corners(mesh, PackedSemantic::tex_coord)) surface.tex_coords.emplace_back(corner);
     }
-    surface.casts = use.depth_program >= 0 || use.point_depth_program >= 0;  // the second alone under point lights
+    surface.casts = use.casts();
     surface.may_move = !shape.bounds_known() || shape.bounds_min() != nullptr;
     surfaces.push_back(std::move(surface));
   }

@@ -40,9 +40,7 @@ std::vector<glm::dmat4> placement(const LoadedScene& scene) {
   for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
     const bool there = scene.world.shape_visible[i];
     places.push_back(there ? scene.world.at(scene.shape(i).transform()).matrix : glm::dmat4(0.0));
-    const ShapePrograms use = scene.programs_of(i);
-    const bool casts = there && (use.depth_program >= 0 || use.point_depth_program >= 0);
-    places.back()[0][3] = casts ? 1 : 0;  // of an affine matrix that is 0
+    places.back()[0][3] = there && scene.programs_of(i).casts() ? 1 : 0;  // of an affine matrix that is 0
   }
   return places;
 }

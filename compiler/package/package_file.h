@@ -55,6 +55,9 @@ struct ShapePrograms {
   const flatbuffers::Vector<const PackedBinding*>* depth_bindings = nullptr;
   std::int32_t point_depth_program = -1;
   const flatbuffers::Vector<const PackedBinding*>* point_depth_bindings = nullptr;  ///< Null: there are none.
+
+  /// Whether it stands in the way of some light: casters under point lights alone have the second depth program only.
+  bool casts() const { return depth_program >= 0 || point_depth_program >= 0; }
 };
 /// `variant` as the shape's `states` have it: 0 for its own programs.
 ShapePrograms shape_programs(const PackedShape& shape, std::uint8_t variant);
