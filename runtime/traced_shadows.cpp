@@ -5,9 +5,10 @@
 #include "runtime/traced_shadows.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <thread>
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include "runtime/draw_shape.h"
 #include "runtime/gl/texture.h"
@@ -63,27 +64,19 @@ void place_geometry(TracedShadows& traced, const LoadedScene& scene, Messages& m
   traced.surfaces = std::move(surfaces);
 }
 
-std::array<float, 16> as_floats(const glm::dmat4& matrix) {
-  std::array<float, 16> floats{};
-  for (std::size_t i = 0; i < floats.size(); ++i) {
-    floats[i] = static_cast<float>(matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)]);
-  }
-  return floats;
-}
-
 GLuint alpha_texture(LoadedScene& scene, const Surface& surface, Messages& messages) {
   if (!surface.alpha_test) return scene.resources.stand_in(PackedUniformType::sampler2D).id();
   return scene.resources.texture(surface.alpha_test->texture_index, PackedUniformType::sampler2D, messages).id();
 }
 
 void draw_numbers(const gl::Functions& gl, LoadedScene& scene, const View& camera, Messages& messages) {
-  const std::array<float, 16> projection = as_floats(camera.projection);
+  const glm::mat4 projection(camera.projection);
   for (const std::uint32_t shape : draw_order(scene, camera)) {
     const std::int32_t index = scene.traced.surface_of[shape];
     if (index < 0 || scene.shape(shape).blended()) continue;
     const Surface& surface = scene.traced.surfaces[static_cast<std::size_t>(index)];
-    const std::array<float, 16> model_view = as_floats(camera.world_to_eye * surface.to_world);
-    gl::TriangleDraw draw{model_view.data(), projection.data(), static_cast<float>(shape), 0, 0, {}};
+    const glm::mat4 model_view(camera.world_to_eye * surface.to_world);
+    gl::TriangleDraw draw{glm::value_ptr(model_view), glm::value_ptr(projection), static_cast<float>(shape), 0, 0, {}};
     draw.alpha_texture = alpha_texture(scene, surface, messages);
     draw.cutoff = surface.alpha_test ? static_cast<float>(surface.alpha_test->cutoff) : 0.0F;
     draw.state = draw_state_of(scene.shape(shape), surface.to_world);
