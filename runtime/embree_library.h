@@ -19,6 +19,10 @@ struct EmbreeLibrary {
 /// Null, with `error`, where the machine has no Embree 3. Loaded once a process.
 const EmbreeLibrary* embree_library(std::string& error);
 
+/// Whether its functions may be called. Not at the very end of a process: what was made before the library was loaded (a
+/// Renderer in a static variable) goes after the library's own objects.
+bool embree_is_there();
+
 }  // namespace plugc
 
 #endif

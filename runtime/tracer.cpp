@@ -82,6 +82,7 @@ struct Tracer::State {
   std::vector<std::unique_ptr<Caster>> casters;
 
   ~State() {
+    if (!embree_is_there()) return;
     if (scene != nullptr) embree->rtcReleaseScene(scene);
     if (device != nullptr) embree->rtcReleaseDevice(device);
   }
