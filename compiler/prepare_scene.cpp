@@ -12,6 +12,7 @@
 #include "mesh/tangents.h"
 #include "mesh/unit_coords.h"
 #include "prepare_shadows.h"
+#include "shadow_geometry.h"
 #include "still_shadows.h"
 
 namespace plugc {
@@ -198,10 +199,9 @@ void prepare_recipes(PreparedScene& prepared, const std::vector<AlphaUse>& alpha
     const SceneShape& shape = parts.scene.shapes[i];
     ShapePlan& plan = parts.shapes[i];
     if (plan.mesh == nullptr) continue;
-    const bool casts = shape.casts_shadow && !plan.blended && plan.mesh->topology == Topology::triangles;
     const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, alpha[i]);
-    plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects), casts ? passes : DepthPasses(),
-                  prepared.effects, recipes, plan);
+    plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects),
+                  casts_shadow(parts, i) ? passes : DepthPasses(), prepared.effects, recipes, plan);
   }
   plan_maps(parts, recipes);
 }

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "shadow_geometry.h"
+
 namespace plugc {
 namespace {
 
@@ -32,28 +34,14 @@ bool names_a_map(const EffectCode& code) {
   });
 }
 
-/// Whether its vertices may be elsewhere than its geometry says.
-bool may_move(const SceneShape& shape, const std::vector<EffectCode>& effects, const Scene& scene) {
-  const auto moves = [&](int effect) {
-    const EffectCode& code = effects[static_cast<std::size_t>(effect)];
-    return code.moves_vertices || code.has_geometry_main;
-  };
-  const auto texture_moves = [&](const TextureUse& use) {
-    return use.texture >= 0 && std::ranges::any_of(scene.textures[static_cast<std::size_t>(use.texture)].effects, moves);
-  };
-  return shape.shader >= 0 || std::ranges::any_of(shape.effects, moves) || std::ranges::any_of(shape.textures, texture_moves);
-}
-
 /// Why a map cannot be traced; empty when it can.
 std::string obstacle(const SceneShadowMap& map, const std::vector<EffectCode>& effects, const Scene& scene) {
   if (map.author_visible) return "its map is looked into";
   for (const SceneShape& shape : scene.shapes) {
     const bool shows = std::ranges::find(shape.receives, map.light, &ReceivedShadow::light) != shape.receives.end();
-    if ((shape.casts_shadow || shows) && may_move(shape, effects, scene))
+    if ((shape.casts_shadow || shows) && may_move_vertices(scene, shape, effects))
       return fmt::format("a shader may move the vertices of `{}`", shape.name);
-    const auto discards = [&](int effect) { return effects[static_cast<std::size_t>(effect)].discards; };
-    if (shape.casts_shadow && std::ranges::any_of(shape.effects, discards))
-      return fmt::format("an effect cuts holes into `{}`", shape.name);
+    if (may_cut_holes(scene, shape, effects)) return fmt::format("an effect cuts holes into `{}`", shape.name);
   }
   return "";
 }

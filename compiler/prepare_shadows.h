@@ -15,7 +15,8 @@ namespace plugc {
 void mark_author_visible_maps(const std::vector<EffectCode>& effects, const std::vector<EffectCode>& shaders, Scene& scene);
 
 /// Gives maps that cannot be traced the default method, and says why: an effect or a whole shader may move vertices of a shape
-/// that casts or shows the shadow, or the author looks into the map. After mark_author_visible_maps().
+/// that casts or shows the shadow, an effect may cut holes into any shape (through which another one's shadow would be seen),
+/// or the author looks into the map. After mark_author_visible_maps().
 void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCode>& effects, Scene& scene,
                               Diagnostics& diagnostics);
 

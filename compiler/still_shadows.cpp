@@ -12,6 +12,7 @@
 #include "base/placed_box.h"
 #include "base/transform_matrix.h"
 #include "mesh/mesh.h"
+#include "shadow_geometry.h"
 
 namespace plugc {
 namespace {
@@ -94,34 +95,17 @@ bool is_convex(const Mesh& mesh, const Box& bounds) {
   return true;
 }
 
-bool stays_in_its_mesh(const SceneShape& shape, const std::vector<EffectCode>& effects) {
-  return shape.shader < 0 && std::ranges::none_of(shape.effects, [&](int effect) {
-           const EffectCode& code = effects[static_cast<std::size_t>(effect)];
-           return code.moves_vertices || code.has_geometry_main;
-         });
-}
-
-/// Effects of a shape's lights and textures run in its vertex stage too.
-std::vector<int> all_effects(const Scene& scene, const SceneShape& shape) {
-  std::vector<int> all = shape.effects;
-  const auto add = [&all](const std::vector<int>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  for (const int light : shape.lights) add(scene.lights[static_cast<std::size_t>(light)].effects);
-  for (const TextureUse& use : shape.textures) add(scene.textures[static_cast<std::size_t>(use.texture)].effects);
-  return all;
-}
-
 std::vector<StillShape> find_still_shapes(const std::vector<EffectCode>& effects, const SceneParts& parts,
                                           const StillScene& still) {
   std::vector<StillShape> shapes(parts.shapes.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    SceneShape shape = parts.scene.shapes[i];
+    const SceneShape& shape = parts.scene.shapes[i];
     const Mesh* const mesh = parts.shapes[i].mesh.get();
     if (mesh == nullptr) continue;
-    shapes[i].casts = shape.casts_shadow && !parts.shapes[i].blended && mesh->topology == Topology::triangles;
-    shape.effects = all_effects(parts.scene, shape);
+    shapes[i].casts = casts_shadow(parts, i);
     const std::optional<glm::dmat4> matrix = still.at(shape.transform);
     if (!matrix) continue;
-    if (stays_in_its_mesh(shape, effects)) {
+    if (!may_move_vertices(parts.scene, shape, effects)) {
       const Box bounds = bounds_of(*mesh);
       shapes[i].place = PlacedBox{bounds, *matrix};
       shapes[i].convex = is_convex(*mesh, bounds);

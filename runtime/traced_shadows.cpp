@@ -75,6 +75,7 @@ void draw_numbers(const gl::Functions& gl, LoadedScene& scene, const View& camer
     const std::int32_t index = scene.traced.surface_of[shape];
     if (index < 0 || scene.shape(shape).blended()) continue;
     const Surface& surface = scene.traced.surfaces[static_cast<std::size_t>(index)];
+    if (surface.may_move) continue;  // it shows no traced shadow, and would hide what does where it is not
     const glm::mat4 model_view(camera.world_to_eye * surface.to_world);
     gl::TriangleDraw draw{glm::value_ptr(model_view), glm::value_ptr(projection), static_cast<float>(shape), 0, 0, {}};
     draw.alpha_texture = alpha_texture(scene, surface, messages);
