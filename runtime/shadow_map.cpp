@@ -68,11 +68,11 @@ void add_moments(const gl::Functions& functions, PackedShadowMethod method, Shad
   map.moments_target = gl::make_float_target(functions, map.moments);
 }
 
-ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap& packed, const PackedLight& light,
+ShadowMap make_shadow_map(const gl::Functions& functions, const PackedScene& scene, const PackedShadowMap& packed,
                           std::uint32_t size, Messages& messages) {
   ShadowMap map;
   if (packed.update() == PackedShadowUpdate::none || packed.method() == PackedShadowMethod::traced) return map;
-  const bool cube = light.kind() == PackedLightKind::point;
+  const bool cube = is_cube(scene, packed);
   const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
   const GLsizei largest = gl::max_target_side(functions);
   map.size = usable_size(size, cube ? std::min(largest, kMaxCubeMapSide) : largest, messages);
@@ -97,19 +97,21 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
   for (std::uint32_t i = 0; i < count; ++i) {
     const PackedShadowMap& packed = *scene.shadow_maps()->Get(i);
     std::vector<MapReader> readers = find_readers(scene, i);
-    const PackedLight& light = *scene.lights()->Get(packed.light());
-    maps.push_back(readers.empty() ? ShadowMap() : make_shadow_map(functions, packed, light, packed.size(), messages));
+    maps.push_back(readers.empty() ? ShadowMap() : make_shadow_map(functions, scene, packed, packed.size(), messages));
     maps.back().readers = std::move(readers);
     maps.back().only_projects = packed.update() == PackedShadowUpdate::none && !maps.back().readers.empty();
   }
   return maps;
 }
 
+bool is_cube(const PackedScene& scene, const PackedShadowMap& map) {
+  return scene.lights()->Get(map.light())->kind() == PackedLightKind::point;
+}
+
 std::uint32_t largest_map_size(const PackedScene& scene, std::uint32_t index) {
   const PackedShadowMap& map = *scene.shadow_maps()->Get(index);
   if (keeps_moments(map.method())) return kMaxMomentMapSide;
-  const bool cube = scene.lights()->Get(map.light())->kind() == PackedLightKind::point;
-  return cube ? static_cast<std::uint32_t>(kMaxCubeMapSide) : kMaxShadowMapSide;
+  return is_cube(scene, map) ? static_cast<std::uint32_t>(kMaxCubeMapSide) : kMaxShadowMapSide;
 }
 
 void resize_shadow_map(const gl::Functions& functions, const PackedScene& scene, std::uint32_t index, std::uint32_t size,
@@ -117,7 +119,7 @@ void resize_shadow_map(const gl::Functions& functions, const PackedScene& scene,
   const PackedShadowMap& packed = *scene.shadow_maps()->Get(index);
   std::vector<MapReader> readers = std::move(map.readers);
   map = ShadowMap();  // the old one's memory goes first
-  if (!readers.empty()) map = make_shadow_map(functions, packed, *scene.lights()->Get(packed.light()), size, messages);
+  if (!readers.empty()) map = make_shadow_map(functions, scene, packed, size, messages);
   map.readers = std::move(readers);
 }
 
@@ -150,7 +152,7 @@ std::vector<std::uint32_t> maps_in_one_frustum(const PackedScene& scene, std::ui
 FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index) {
   const std::vector<std::uint32_t> maps = maps_in_one_frustum(scene, index);
   FitInput input;
-  const bool of_point_light = scene.lights()->Get(scene.shadow_maps()->Get(index)->light())->kind() == PackedLightKind::point;
+  const bool of_point_light = is_cube(scene, *scene.shadow_maps()->Get(index));
   const std::uint32_t shape_count = scene.shapes()->size();
   for (std::uint32_t i = 0; i < shape_count; ++i) {
     if (!world.shape_visible[i]) continue;

@@ -44,6 +44,9 @@ View shifted(const View& view, const ShadowMap& map);
 /// One per PackedShadowMap. Sizes beyond what can be made, and lights that cannot have a map yet, are reported.
 std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages);
 
+/// Whether the map is a cube: that of a point light.
+bool is_cube(const PackedScene& scene, const PackedShadowMap& map);
+
 /// How many texels a side map `index` may have.
 std::uint32_t largest_map_size(const PackedScene& scene, std::uint32_t index);
 

@@ -74,9 +74,6 @@ class Chooser {
   const PackedShadowMap& packed_map(std::uint32_t map) { return *base().loaded.packed->shadow_maps()->Get(map); }
 
   std::optional<ChosenShadow> choose(std::uint32_t map);
-  bool is_cube(const PackedShadowMap& map) {
-    return base().loaded.packed->lights()->Get(map.light())->kind() == PackedLightKind::point;
-  }
   std::vector<ShadowMethod> methods_for(const PackedShadowMap& map);
   ShadowTask task_for(const PackedShadowMap& map, const LightJudge& judge);
   void search(const LightJudge& judge, ChosenShadow& chosen);
@@ -122,7 +119,7 @@ std::vector<ShadowMethod> Chooser::methods_for(const PackedShadowMap& map) {
   std::vector<ShadowMethod> methods;
   for (const ShadowMethod method : kChoices) {
     const bool seen = map.author_visible() && method == ShadowMethod::hard;  // the nearest texel, where an author reads
-    const bool made_for_it = !is_cube(map) || method_for_cube(method) == method;
+    const bool made_for_it = !is_cube(*base().loaded.packed, map) || method_for_cube(method) == method;
     if (!seen && made_for_it) methods.push_back(method);
   }
   return methods;
@@ -135,7 +132,7 @@ ShadowTask Chooser::task_for(const PackedShadowMap& map, const LightJudge& judge
   task.receiver_pixels = judge.counted_share * request_.width * request_.height;
   if (map.size_written() || options_.shadows.size != 0) task.size = map.size();
   const double written_scale = base().loaded.slots.number(map.scale(), 0);
-  task.faces = is_cube(map) ? 6 : 1;
+  task.faces = is_cube(*base().loaded.packed, map) ? 6 : 1;
   const std::uint32_t largest = largest_map_size(*base().loaded.packed, judge.map);
   for (const ShadowMethod method : methods_for(map)) {
     const double scale = map.scale_written() ? written_scale : automatic_slope_scale(method);
