@@ -74,10 +74,9 @@ void draw_casters(const gl::Functions& gl, LoadedScene& scene, Pass& pass, std::
 void draw_cube_map(const gl::Functions& gl, LoadedScene& scene, std::uint32_t index, const glm::vec2& offset,
                    std::set<std::uint32_t>& programs, FrameStatistics& statistics, Messages& messages) {
   const ShadowMap& map = scene.shadow_maps[index];
-  const FitInput input = fit_input(*scene.package, *scene.packed, scene.world, index);
   for (unsigned face = 0; face < kCubeFaceCount; ++face) {
     gl::begin_depth_pass(gl, map.faces[face], map.size, 0, 0, false);
-    if (!face_is_read(map.view, face, map.size, input)) continue;
+    if (std::ranges::find(map.read_faces, face) == map.read_faces.end()) continue;
     const View view = cube_face(map.view, face);
     Pass pass{view, true, false, std::vector<View>(scene.shadow_maps.size()), {}};
     pass.of_point_light = true;

@@ -23,6 +23,7 @@ struct ShadowMap {
   gl::Texture moments, unblurred;  ///< Of a method that keeps moments; the second one is blurred along rows alone.
   gl::Framebuffer moments_target, unblurred_target;
   std::vector<gl::Framebuffer> faces;  ///< Of a point light, in place of `framebuffer`: +x -x +y -y +z -z.
+  std::vector<unsigned> read_faces;    ///< Of those: into which some receiver may look. Found with `fit`.
   GLsizei size = 0;
   bool reversed = false;             ///< Stores depths that fall from 1 to 0: nobody but the renderer's own code reads them.
   std::vector<MapReader> readers;    ///< Whose programs look into it.

@@ -1,11 +1,14 @@
-// A map's content comes from numbers alone: its projection, the offsets, and for each caster its program and its uniforms. They
-// are compared with those of the last time. So a slot that changes costs a pass only where a caster, the light, or an effect
-// that moves a caster sees it; what moves together with its light costs none.
+// A map's content comes from numbers alone: its projection, the faces of a cube that anybody looks into, the offsets, and for
+// each caster its program and its uniforms. They are compared with those of the last time. So a slot that changes costs a pass
+// only where a caster, the light, or an effect that moves a caster sees it; what moves together with its light costs none.
 
 #include "runtime/update_shadow_map.h"
 
 #include <algorithm>
 
+#include <glm/gtc/type_ptr.hpp>
+
+#include "runtime/cube_map.h"
 #include "runtime/draw_shape.h"
 #include "runtime/gl/program.h"
 #include "runtime/uniforms.h"
@@ -26,9 +29,8 @@ bool matters(const LoadedScene& scene, const PackedShadowMap& packed, const Shad
 }
 
 void append(std::vector<float>& numbers, const glm::dmat4& matrix) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) numbers.push_back(static_cast<float>(matrix[column][row]));
-  }
+  const glm::mat4 floats(matrix);
+  numbers.insert(numbers.end(), glm::value_ptr(floats), glm::value_ptr(floats) + 16);
 }
 
 /// Of one caster: what draw_shape will set.
@@ -47,18 +49,26 @@ void append_caster(std::vector<float>& numbers, const LoadedScene& scene, const 
   }
 }
 
-std::vector<float> content_numbers(const LoadedScene& scene, const PackedShadowMap& packed, const View& light,
-                                   double coarseness) {
-  std::vector<float> numbers;
+std::vector<float> content_numbers(const LoadedScene& scene, const PackedShadowMap& packed, const ShadowMap& map) {
+  const View& light = map.view;
+  std::vector<float> numbers(map.read_faces.begin(), map.read_faces.end());  // the others stay empty
   append(numbers, light.projection);
   numbers.push_back(static_cast<float>(scene.slots.number(packed.scale(), 0)));
-  numbers.push_back(static_cast<float>(scene.slots.number(packed.bias(), 0) * coarseness));
+  numbers.push_back(static_cast<float>(scene.slots.number(packed.bias(), 0) * map.fit.coarseness));
   if (keeps_moments(packed.method())) {
     numbers.push_back(static_cast<float>(light.near));
     numbers.push_back(static_cast<float>(light.far));
   }
   for (const std::uint32_t shape : caster_order(scene, light, light.all_around)) append_caster(numbers, scene, light, shape);
   return numbers;
+}
+
+std::vector<unsigned> find_read_faces(const ShadowMap& map, const FitInput& input) {
+  std::vector<unsigned> faces;
+  for (unsigned face = 0; face < map.faces.size(); ++face) {
+    if (face_is_read(map.fit.view, face, map.size, input)) faces.push_back(face);
+  }
+  return faces;
 }
 
 /// Equal to the bit: not a number is equal to itself here.
@@ -88,6 +98,7 @@ void fit(LoadedScene& scene, std::uint32_t index, const View* camera, Messages& 
   input.camera = camera;
   const bool matters = packed.author_visible() || !(input.casters.empty() || input.receivers.empty());
   map.fit = map.reversed ? fit_tightly(light, input, map.memory) : TightFit{fit_light(light, input), matters};
+  map.read_faces = find_read_faces(map, input);
   map.fitted_revision = scene.slots.revision();
 }
 
@@ -120,7 +131,7 @@ bool update_shadow_map(LoadedScene& scene, std::uint32_t index, const View& came
   if (!follows) map.drawn_revision = scene.slots.revision();  // its one frame is this, also when nothing casts
   if (!map.in_use) return false;
   map.view = shifted(map.fit.view, map);
-  std::vector<float> numbers = content_numbers(scene, packed, map.view, map.fit.coarseness);
+  std::vector<float> numbers = content_numbers(scene, packed, map);
   const bool changed = !drawn || !are_equal(numbers, map.drawn_with);
   map.drawn_with = std::move(numbers);
   map.drawn_revision = scene.slots.revision();

@@ -23,22 +23,38 @@ Renderer* process_renderer() {
   return renderer.get();
 }
 
-}  // namespace
-
-Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
+/// The process's renderer with the first scene of the package; null where nothing can be drawn, which is a failure.
+Renderer* load(const Package& package) {
   Renderer* renderer = process_renderer();
   std::string error;
-  if (renderer == nullptr || !renderer->load(package, 0, error)) {
-    ADD_FAILURE() << "nothing can be drawn: " << error;
-    return {};
-  }
-  for (const auto& [name, value] : fields) EXPECT_TRUE(renderer->set_field(name, {value}, error)) << error;
+  if (renderer != nullptr && renderer->load(package, 0, error)) return renderer;
+  ADD_FAILURE() << "nothing can be drawn: " << error;
+  return nullptr;
+}
+
+Picture draw_with(Renderer& renderer, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
+  std::string error;
+  for (const auto& [name, value] : fields) EXPECT_TRUE(renderer.set_field(name, {value}, error)) << error;
   FrameOptions frame;
   frame.width = width;
   frame.height = height;
-  Picture picture = renderer->draw(frame);
-  EXPECT_THAT(renderer->messages(), testing::IsEmpty());
+  Picture picture = renderer.draw(frame);
+  EXPECT_THAT(renderer.messages(), testing::IsEmpty());
   return picture;
+}
+
+}  // namespace
+
+Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
+  Renderer* renderer = load(package);
+  return renderer != nullptr ? draw_with(*renderer, width, height, fields) : Picture();
+}
+
+Picture redraw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
+  Renderer* renderer = load(package);
+  if (renderer == nullptr) return {};
+  draw_with(*renderer, width, height, {});
+  return draw_with(*renderer, width, height, fields);
 }
 
 Color color_at(const Picture& picture, std::uint32_t x, std::uint32_t y) {

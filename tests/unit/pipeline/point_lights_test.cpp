@@ -153,5 +153,28 @@ TEST(PointLights, CastOnAllSixSidesOfARoom) {
   }
 }
 
+TEST(PointLights, CastOnWhatComesToStandInAnotherFaceOfTheirCube) {
+  // First the floor is above the lamp, then below it: nothing else changes, neither what casts nor how far the map reaches.
+  // A board half-way to each floor throws a shadow of twice its size.
+  const std::string floor =
+      "Shape { appearance Appearance { material Material { diffuseColor 1 1 1 ambientIntensity 0 } receiveShadows USE Lamp } "
+      "castShadow FALSE geometry Rectangle2D { size 1.6 1.6 solid FALSE } }";
+  CompileOptions options;
+  options.dynamic = {"Place.whichChoice"};
+  const Compiled compiled = compile_text(
+      "#X3D V4.0 utf8\nNavigationInfo { headlight FALSE }\n"
+      "OrthoViewpoint { position 0 0 10 fieldOfView [ -2 -2 2 2 ] }\n"
+      "DEF Lamp PointLight { radius 1.5 defaultShadowMap GeneratedShadowMap { update \"ALWAYS\" } }\n" +
+          board(0, 0, 0.5, 0.6, 0.6) + board(0, 0, -0.5, 0.6, 0.6) +
+          "DEF Place Switch { whichChoice 0 children [\n Transform { translation 0 0 1 children " + floor +
+          " }\n Transform { translation 0 0 -1 children " + floor + " } ] }\n",
+      options);
+  EXPECT_THAT(compiled.messages(), testing::IsEmpty());
+  const Picture picture = redraw_package(*compiled.package, kSide, kSide, {{"Place.whichChoice", 1}});
+  const auto pixel = [](double x) { return static_cast<std::uint32_t>((x / kHalfWidth + 1) / 2 * kSide); };
+  EXPECT_THAT(color_at(picture, pixel(0.45), pixel(0)), IsColor(Color{0, 0, 0}));
+  EXPECT_GT(color_at(picture, pixel(0.7), pixel(0))[0], 100);
+}
+
 }  // namespace
 }  // namespace plugc
