@@ -1,21 +1,17 @@
 #include "runtime/projection.h"
 
-#include <limits>
-
+#include "degenerate_fits.h"
 #include "test_scene.h"
 
 namespace plugc {
 namespace {
 
+using test::box;
+using test::kInfinity;
+using test::kNan;
 using test::SceneBuilder;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-PlacedBox box(const glm::dvec3& low, const glm::dvec3& high) {
-  return {{low, high}, glm::dmat4(1.0)};
-}
 
 glm::dvec3 in_texture(const View& light, const glm::dvec3& point) {
   const glm::dvec4 projected = world_to_texture(light) * glm::dvec4(point, 1);
@@ -211,25 +207,14 @@ TEST(Projection, KeepsUpThatIsSlightlyAslant) {
 }
 
 TEST(Projection, IsFiniteForDegenerateScenes) {
-  const std::vector<FitInput> inputs = {
-      {},
-      {{box({0, 0, 0}, {0, 0, 0})}, {}},
-      {{}, {box({0, 0, 0}, {0, 0, 0})}},
-      {{box({0, -1, -1}, {0, 1, 1})}, {box({0, -1, -1}, {0, 1, 1})}},
-      {{box({-1, 0, -1}, {1, 0, 1})}, {box({-1, 0, -1}, {1, 0, 1})}},
-      {{box({-1, -1, 0}, {1, 1, 0})}, {box({-1, -1, 0}, {1, 1, 0})}},
-      {{box(glm::dvec3(-1e30), glm::dvec3(1e30))}, {box(glm::dvec3(-1e30), glm::dvec3(1e30))}},
-      {{box(glm::dvec3(1e-38), glm::dvec3(2e-38))}, {box(glm::dvec3(1e-38), glm::dvec3(2e-38))}},
-      {{box(glm::dvec3(-kInfinity), glm::dvec3(kInfinity))}, {box(glm::dvec3(kNan), glm::dvec3(kNan))}},
-      {{{{glm::dvec3(-1), glm::dvec3(1)}, glm::dmat4(0.0)}}, {{{glm::dvec3(-1), glm::dvec3(1)}, glm::dmat4(kNan)}}},
-      {{box({-1, 40, -1}, {1, 50, 1})}, {box({-1, 40, -1}, {1, 50, 1})}},  // all behind the lamp
-  };
-  const std::vector<glm::dvec3> vectors = {{0, -1, 0},        {0, 0, 0},    {1e-320, 0, 0},
-                                           {1e300, 0, 1e300}, {kNan, 0, 0}, {kInfinity, 1, 0}};
+  std::vector<FitInput> inputs = test::degenerate_fit_inputs();
+  inputs.push_back({{box({0, 0, 0}, {0, 0, 0})}, {}});
+  inputs.push_back({{}, {box({0, 0, 0}, {0, 0, 0})}});
+  inputs.push_back({{box({-1, 40, -1}, {1, 50, 1})}, {box({-1, 40, -1}, {1, 50, 1})}});  // all behind the lamp
   const std::vector<double> numbers = {0, 1e-300, 1, 1e300, kInfinity, kNan};
   for (LightFrame light : {sun(), lamp()}) {
     for (const FitInput& input : inputs) {
-      for (const glm::dvec3& vector : vectors) {
+      for (const glm::dvec3& vector : test::degenerate_vectors()) {
         light.direction = vector;
         expect_finite(fit_light(light, input));
         light.location = vector;

@@ -1,21 +1,16 @@
 #include "runtime/tight_fit.h"
 
-#include <limits>
-
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "degenerate_fits.h"
 #include "test_scene.h"
 
 namespace plugc {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using test::box;
 
-PlacedBox box(const glm::dvec3& low, const glm::dvec3& high) {
-  return {{low, high}, glm::dmat4(1.0)};
-}
+constexpr double kPi = std::numbers::pi;
 
 LightFrame sun(const glm::dvec3& direction = {0, -1, 0}) {
   LightFrame light;
@@ -203,28 +198,16 @@ TEST(TightFit, NeedsNoMoreOfTheMapThanItsStepsCost) {
 }
 
 TEST(TightFit, IsFiniteForDegenerateScenes) {
-  const std::vector<FitInput> inputs = {
-      {},
-      {{box({0, 0, 0}, {0, 0, 0})}, {box({0, 0, 0}, {0, 0, 0})}},
-      {{box({0, -1, -1}, {0, 1, 1})}, {box({0, -1, -1}, {0, 1, 1})}},
-      {{box({-1, 0, -1}, {1, 0, 1})}, {box({-1, 0, -1}, {1, 0, 1})}},
-      {{box({-1, -1, 0}, {1, 1, 0})}, {box({-1, -1, 0}, {1, 1, 0})}},
-      {{box(glm::dvec3(-1e30), glm::dvec3(1e30))}, {box(glm::dvec3(-1e30), glm::dvec3(1e30))}},
-      {{box(glm::dvec3(1e-38), glm::dvec3(2e-38))}, {box(glm::dvec3(1e-38), glm::dvec3(2e-38))}},
-      {{box(glm::dvec3(-kInfinity), glm::dvec3(kInfinity))}, {box(glm::dvec3(kNan), glm::dvec3(kNan))}},
-      {{{{glm::dvec3(-1), glm::dvec3(1)}, glm::dmat4(0.0)}}, {{{glm::dvec3(-1), glm::dvec3(1)}, glm::dmat4(kNan)}}},
-      {{{{glm::dvec3(-1), glm::dvec3(1)}, glm::dmat4(1.0), false}},
-       {{{glm::dvec3(-1), glm::dvec3(1)}, glm::dmat4(1.0), false}}},
-      {{box({-1, 8, -1}, {1, 12, 1})}, {box({-1, 8, -1}, {1, 12, 1})}},  // around the lamp
-  };
-  const std::vector<glm::dvec3> vectors = {{0, -1, 0},        {0, 0, 0},    {1e-320, 0, 0},
-                                           {1e300, 0, 1e300}, {kNan, 0, 0}, {kInfinity, 1, 0}};
+  const PlacedBox unknown = {{glm::dvec3(-1), glm::dvec3(1)}, glm::dmat4(1.0), false};
+  std::vector<FitInput> inputs = test::degenerate_fit_inputs();
+  inputs.push_back({{unknown}, {unknown}});
+  inputs.push_back({{box({-1, 8, -1}, {1, 12, 1})}, {box({-1, 8, -1}, {1, 12, 1})}});  // around the lamp
   const View camera = camera_at({0, 3, 0}, {0, -1, 0.1});
   for (LightFrame light : {sun(), lamp()}) {
     for (FitInput input : inputs) {
       for (const View* seen : {static_cast<const View*>(nullptr), &camera}) {
         input.camera = seen;
-        for (const glm::dvec3& vector : vectors) {
+        for (const glm::dvec3& vector : test::degenerate_vectors()) {
           for (const std::uint32_t size : {1U, 17U, 1024U}) {
             light.direction = light.location = vector;
             light.map_size = size;
