@@ -68,8 +68,10 @@ void expect_one_death(const std::string& code, std::string_view reason, std::chr
   Validator validator(options);
   SourceSet sources;
   Diagnostics diagnostics(sources);
+  CompileOptions compile_options;
+  compile_options.root = folder.path();
   const Compilation made =
-      compile({folder.write("scene.x3dv", scene_with(code))}, {.root = folder.path()}, validator, sources, diagnostics);
+      compile({folder.write("scene.x3dv", scene_with(code))}, compile_options, validator, sources, diagnostics);
   std::vector<std::string> said;
   for (const Diagnostic& one : diagnostics.all()) said.push_back(message_line(one, sources, sources.name({0})));
   EXPECT_THAT(
