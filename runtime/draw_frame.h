@@ -15,7 +15,7 @@ struct FrameTarget {
 
 /// Draws what is out of date of the scene's maps, then the picture. `width`, `height` and `samples` of the options are the
 /// target's.
-FrameStatistics draw_frame(const gl::Functions& functions, LoadedScene& scene, const FrameTarget& target,
-                           const FrameOptions& options, Messages& messages);
+FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const FrameOptions& options,
+                           Messages& messages);
 
 }  // namespace plugc

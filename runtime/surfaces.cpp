@@ -50,6 +50,12 @@ std::optional<AlphaTest> find_alpha_test(const Package& package, const ShapeProg
   return std::nullopt;
 }
 
+/// The texel at a place that may be anywhere; out of reach of whole numbers, it is the first.
+int texel_at(double place) {
+  constexpr double kMost = 1e9;
+  return std::abs(place) < kMost ? static_cast<int>(std::floor(place)) : 0;
+}
+
 int wrapped(int texel, int size, PackedWrap wrap) {
   if (wrap == PackedWrap::clamp_to_edge) return std::clamp(texel, 0, size - 1);
   const int period = wrap == PackedWrap::repeat ? size : 2 * size;
@@ -106,12 +112,12 @@ std::vector<Plane> world_planes(const Surface& surface) {
 double alpha_at(const AlphaTest& test, const glm::dvec2& tex_coord) {
   const glm::dvec2 texel = tex_coord * glm::dvec2(test.image->width(), test.image->height());
   if (test.texture->magnification() == PackedFilter::nearest) {
-    return texel_alpha(test, static_cast<int>(std::floor(texel.x)), static_cast<int>(std::floor(texel.y)));
+    return texel_alpha(test, texel_at(texel.x), texel_at(texel.y));
   }
   const glm::dvec2 low = glm::floor(texel - 0.5);
   const glm::dvec2 part = texel - 0.5 - low;
-  const int x = static_cast<int>(low.x);
-  const int y = static_cast<int>(low.y);
+  const int x = texel_at(low.x);
+  const int y = texel_at(low.y);
   const double below = glm::mix(texel_alpha(test, x, y), texel_alpha(test, x + 1, y), part.x);
   const double above = glm::mix(texel_alpha(test, x, y + 1), texel_alpha(test, x + 1, y + 1), part.x);
   return glm::mix(below, above, part.y);

@@ -49,7 +49,7 @@ Hull cone_hull(const glm::dvec4& window, double far) {
   const std::array<glm::dvec3, 4> ends = {glm::dvec3(window.x, window.y, -1) * far, glm::dvec3(window.z, window.y, -1) * far,
                                           glm::dvec3(window.z, window.w, -1) * far, glm::dvec3(window.x, window.w, -1) * far};
   for (std::size_t i = 0; i < ends.size(); ++i) hull.faces.push_back({apex, ends[i], ends[(i + 1) % ends.size()]});
-  hull.faces.push_back({ends.begin(), ends.end()});
+  hull.faces.emplace_back(ends.begin(), ends.end());
   hull.planes = {{1, 0, window.x, 0}, {-1, 0, -window.z, 0}, {0, 1, window.y, 0}, {0, -1, -window.w, 0}, {0, 0, 1, far}};
   return hull;
 }

@@ -28,7 +28,7 @@ struct TracedShadows {
 
 /// Traces the shadows of every light of that method for a picture of that size; each answer is the texture of the light's
 /// ShadowMap. Blended shapes get the shadow of what is behind them. Says in `messages` why nothing can be traced.
-void trace_shadows(const gl::Functions& functions, LoadedScene& scene, const View& camera, GLsizei width, GLsizei height,
+void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, GLsizei width, GLsizei height,
                    Messages& messages);
 
 }  // namespace plugc

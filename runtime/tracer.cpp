@@ -54,7 +54,7 @@ Box box_of(const std::vector<Surface>& surfaces) {
 
 void add_geometry(const EmbreeLibrary& embree, RTCDevice device, RTCScene scene, const Surface& surface,
                   const glm::dvec3& center, Caster* caster) {
-  const RTCGeometry geometry = embree.rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* const geometry = embree.rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   const std::size_t count = surface.points.size();
   auto* const vertices = static_cast<glm::vec3*>(
       embree.rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), count));
@@ -99,6 +99,10 @@ std::unique_ptr<Tracer> Tracer::make(const std::vector<Surface>& surfaces, std::
   state.center = box.center();
   state.size = glm::length(box.size());
   state.device = embree.rtcNewDevice(nullptr);
+  if (state.device == nullptr) {
+    error = "Embree cannot work here";
+    return nullptr;
+  }
   state.scene = embree.rtcNewScene(state.device);
   embree.rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_ROBUST);
   for (const Surface& surface : surfaces) {

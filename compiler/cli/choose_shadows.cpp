@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,8 +31,8 @@ PackedShadowMethod packed(ShadowMethod method) {
 /// The scene on the GPU, by each method that is asked for.
 class MethodScenes {
  public:
-  MethodScenes(const std::filesystem::path& scene, const CompileOptions& options, Validator& validator, Studio& studio)
-      : scene_(scene), options_(options), validator_(validator), studio_(studio) {
+  MethodScenes(std::filesystem::path scene, CompileOptions options, Validator& validator, Studio& studio)
+      : scene_(std::move(scene)), options_(std::move(options)), validator_(validator), studio_(studio) {
     options_.targets = {Target::glsl330};
     options_.measure = false;
   }

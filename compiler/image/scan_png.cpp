@@ -73,7 +73,8 @@ std::optional<Image> read_header(const Chunk& chunk, std::size_t file_bytes) {
 std::optional<std::string> take_data(std::string_view bytes) {
   std::string data;
   data.reserve(bytes.size());
-  bool was_data = false, is_over = false;
+  bool was_data = false;
+  bool is_over = false;
   while (const std::optional<Chunk> chunk = take_chunk(bytes)) {
     if (chunk->type == "IEND") return data;
     const bool is_data = chunk->type == "IDAT";
@@ -116,7 +117,8 @@ std::uint8_t prediction(std::uint8_t filter, int left, int above, int corner) {
     case 2: return static_cast<std::uint8_t>(above);
     case 3: return static_cast<std::uint8_t>((left + above) / 2);
     case 4: {
-      const int to_left = std::abs(above - corner), to_above = std::abs(left - corner);
+      const int to_left = std::abs(above - corner);
+      const int to_above = std::abs(left - corner);
       const int to_corner = std::abs(left + above - 2 * corner);
       return static_cast<std::uint8_t>(to_left <= to_above && to_left <= to_corner ? left
                                        : to_above <= to_corner                     ? above

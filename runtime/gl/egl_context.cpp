@@ -94,7 +94,7 @@ std::unique_ptr<Context> make_egl_context(std::string& error) {
   }
   egl().bind_api(kOpenGlApi);
   constexpr std::array<int, 7> attributes = {kMajorVersion, 3, kMinorVersion, 3, kProfileMask, kCoreProfileBit, kNone};
-  const EglContext context = egl().create(egl().display, nullptr, nullptr, attributes.data());
+  auto* const context = egl().create(egl().display, nullptr, nullptr, attributes.data());
   if (context == nullptr) {
     error = "EGL has no OpenGL 3.3 core profile";
     return nullptr;

@@ -29,7 +29,7 @@ VertexArray make_vertex_array(const Functions& gl, const Mesh& mesh, const Packe
 Buffer make_stream_buffer(const Functions& gl);
 void write_stream(const Functions& gl, const Buffer& buffer, std::span<const float> values);
 
-Mesh upload_mesh(const Functions& gl, const PackedMesh& mesh);
+Mesh upload_mesh(const Functions& gl, const PackedMesh& packed);
 /// Three vertices without attributes: the vertex stage makes of gl_VertexID a triangle over the whole target.
 void draw_whole(const Functions& gl, const VertexArray& empty);
 

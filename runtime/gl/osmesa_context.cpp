@@ -85,7 +85,7 @@ std::unique_ptr<Context> make_osmesa_context(std::string& error) {
   }
   constexpr std::array<int, 11> attributes = {kFormat,       kRgba, kDepthBits,    24, kProfile, kCoreProfile,
                                               kMajorVersion, 3,     kMinorVersion, 3,  0};
-  const OsMesaContext context = osmesa().create(attributes.data(), nullptr);
+  auto* const context = osmesa().create(attributes.data(), nullptr);
   if (context == nullptr) {
     error = "OSMesa has no OpenGL 3.3 core profile";
     return nullptr;

@@ -3,6 +3,8 @@
 
 #include "runtime/gl/program.h"
 
+#include <numeric>
+
 namespace plugc::gl {
 namespace {
 
@@ -139,8 +141,8 @@ void set_uniform(const Functions& gl, GLint location, PackedUniformType type, GL
 }
 
 void set_sampler(const Functions& gl, GLint location, GLsizei count, GLint unit) {
-  std::vector<GLint> units;
-  for (GLsizei i = 0; i < count; ++i) units.push_back(unit + i);
+  std::vector<GLint> units(static_cast<std::size_t>(count));
+  std::iota(units.begin(), units.end(), unit);
   gl.Uniform1iv(location, count, units.data());
 }
 
