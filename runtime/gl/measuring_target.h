@@ -1,6 +1,7 @@
 #pragma once
 // A target for measurements: two outputs of 32-bit floats and a depth.
 
+#include <array>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -11,7 +12,7 @@ namespace plugc::gl {
 
 struct MeasuringTarget {
   Framebuffer framebuffer;
-  Renderbuffer outputs[2];
+  std::array<Renderbuffer, 2> outputs;
   Renderbuffer depth;
   GLsizei width = 0;
   GLsizei height = 0;

@@ -33,6 +33,6 @@ LightJudge make_light_judge(Studio& studio, MeasuredScene& scene, const JudgedSc
 double measured_error(Studio& studio, MeasuredScene& scene, const LightJudge& judge, const ShadowConfiguration& configuration);
 /// As drawn, in these frames: each is judged, drawn, and forgotten.
 double drawn_error(Studio& studio, MeasuredScene& scene, MeasuredScene& truth_scene, const JudgedScene& judged,
-                   const std::vector<FrameOptions>& frames, const LightJudge& judge, const ShadowConfiguration& configuration);
+                   const std::vector<FrameOptions>& frames, const LightJudge& light, const ShadowConfiguration& configuration);
 
 }  // namespace plugc

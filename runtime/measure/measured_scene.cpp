@@ -132,6 +132,7 @@ double floor_of(const MeasuredScene& scene, const JudgedView& view) {
 std::vector<glm::dvec2> sub_texel_shifts(int count) {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(count))));
   std::vector<glm::dvec2> shifts;
+  shifts.reserve(static_cast<std::size_t>(side * side));
   for (int i = 0; i < side * side; ++i) shifts.push_back((glm::dvec2(i % side, i / side) + 0.5) / double(side) - 0.5);
   return shifts;
 }
