@@ -31,9 +31,9 @@ constexpr double kDepthMargin = 0.01;
 constexpr std::size_t kMostReceiversTried = 256;  // for each flat caster
 constexpr double kCoarsest = 65536;               // beyond, shadows would part from what casts them by more than eyes forgive
 constexpr double kNearestRatio = 1e-6;  // near / far of a spot light: nearness costs nothing, but floats end somewhere
-// Radians that a sun's map is turned around its direction: see slanted(). An edge at that angle to the columns is a quarter of
-// a texel off its place where texels are square and the nearest one counts, and 0.07 by a kernel of 3 x 3 look-ups; the least
-// from 15 degrees on, with 27 and 45 left out.
+// Radians that a sun's map is turned around its direction: see slanted(). At this angle to the columns a kernel of 3 x 3
+// look-ups places an edge 0.07 texels off on the average, the nearest texel 0.25. Less than 15 degrees would not do; near 27
+// and 45 an edge meets the texels alike every other row.
 constexpr double kSlant = 20 * std::numbers::pi / 180;
 constexpr double kSmallestHalfAngle = 5e-4;
 constexpr double kLargestHalfAngle = 0.475 * std::numbers::pi;
