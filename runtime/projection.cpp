@@ -151,11 +151,6 @@ void check_rectangle(LightFrame& frame, const PackedLight& light, Messages& mess
   frame.rectangle = glm::dvec4(0);
 }
 
-/// `up` zero is +y of the light's own space, carried to the world like any direction.
-glm::dvec3 up_of(const glm::dmat4& place, const glm::dvec3& written) {
-  return glm::dmat3(place) * (written == glm::dvec3(0) ? glm::dvec3(0, 1, 0) : written);
-}
-
 }  // namespace
 
 LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, const Slots& slots, const World& world,
@@ -168,7 +163,9 @@ LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, con
   frame.map_size = map.size();
   frame.unit = longer;
   frame.direction = glm::dmat3(place) * slots.vector3(light.direction(), {0, 0, -1});
-  frame.up = up_of(place, slots.vector3(map.up(), glm::dvec3(0)));
+  const glm::dvec3 up = slots.vector3(map.up(), glm::dvec3(0));
+  frame.up_written = up != glm::dvec3(0);
+  frame.up = glm::dmat3(place) * (frame.up_written ? up : glm::dvec3(0, 1, 0));
   frame.near = slots.number(map.near(), 0) * longer;
   frame.far = slots.number(map.far(), 0) * longer;
   const bool spot = light.kind() == PackedLightKind::spot;

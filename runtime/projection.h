@@ -20,6 +20,7 @@ struct LightFrame {
   bool located = true;  ///< Directional: a location or a rectangle is written; else the location is computed too.
   glm::dvec3 direction{0, 0, -1};
   glm::dvec3 up{0};
+  bool up_written = true;  ///< Else any other direction across the light's would do as well.
   double near = 0;
   double far = 0;
   double angle = 0;            ///< Spot: full angle in radians.

@@ -19,8 +19,8 @@ constexpr double kMostSearchPixels = 1e6;  // of all viewpoints together
 constexpr double kMostFinalPixels = 16e6;
 constexpr double kSearchScale = 0.5;  // of the sides that were asked for
 
-/// What may be chosen. Left out are those that the laboratory finds worse and dearer than one of these: `sharp3` has the edge
-/// of `pcf3`, `poisson` reads more for less, maps of moments are blurred for more than a larger map costs.
+/// What may be chosen. Left out is what never was the cheapest in the laboratory: what `sharp3` takes more than `pcf3` brings
+/// more with a larger map, `poisson` reads more for less, maps of moments are blurred for more than a larger map costs.
 constexpr ShadowMethod kChoices[] = {ShadowMethod::hard, ShadowMethod::bilinear, ShadowMethod::pcf2, ShadowMethod::pcf3,
                                      ShadowMethod::pcf4};
 

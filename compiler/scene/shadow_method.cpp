@@ -9,7 +9,7 @@ namespace {
 
 struct MethodInfo {
   std::string_view name;
-  int kernel;  ///< Bilinear look-ups along a side of the kernel; 0 for none.
+  double kernel;  ///< Bilinear look-ups along a side of the kernel, as the bias counts them; 0 for none.
 };
 
 constexpr auto kMethods = std::to_array<MethodInfo>({{"hard", 0},
@@ -20,7 +20,7 @@ constexpr auto kMethods = std::to_array<MethodInfo>({{"hard", 0},
                                                      {"pcf2_taps", 2},
                                                      {"pcf3_taps", 3},
                                                      {"pcf4_taps", 4},
-                                                     {"sharp3", 2},
+                                                     {"sharp3", 1.5},
                                                      {"poisson", 3},
                                                      {"traced", 0},
                                                      {"vsm", 1},
@@ -65,7 +65,7 @@ ShadowMethod method_for_cube(ShadowMethod method) {
 }
 
 double automatic_slope_scale(ShadowMethod method) {
-  return std::max(2, kMethods[static_cast<std::size_t>(method)].kernel + 1);
+  return std::max(2.0, kMethods[static_cast<std::size_t>(method)].kernel + 1);
 }
 
 }  // namespace plugc

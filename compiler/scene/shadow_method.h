@@ -47,7 +47,7 @@ ShadowMethod method_for_cube(ShadowMethod method);
 /// k x k bilinear look-ups. The kernel reads texels up to (k + 1) / 2 away along either side, over which the plane may come
 /// nearer by both its slopes times that; OpenGL counts the larger slope alone (3.3 core, 3.6.4), so it must be counted twice.
 /// The nearest texel is half a texel away, so 1 would do; 2 leaves room for the rounding of depth.
-/// `poisson` (a disc of 1.5 texels around the place) counts as `pcf3`; `sharp3` as k = 2, as the corners of its kernel that
+/// `poisson` (a disc of 1.5 texels around the place) counts as `pcf3`; `sharp3` as k = 1.5, as the corners of its kernel that
 /// then still lie in front are too little to reach the middle of its edge. Moments tell of a plane by themselves how its depths
 /// spread, so `vsm` and `evsm` need no more than the least; `msm` counts as 2, so that a plane lies behind 1.6 standard
 /// deviations of its own blurred depths, where the least share that four moments allow in front of it is nothing.

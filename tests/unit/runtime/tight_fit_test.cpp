@@ -100,6 +100,26 @@ TEST(TightFit, KeepsAWrittenRectangleAndAngle) {
   EXPECT_NEAR(in_texture(fit(spot, kTowerOnGround).view, {10, 0, 0}).x, 1, 1e-9) << "45 degrees aside";
 }
 
+/// How far a vertical edge lies aslant to a column of texels: columns by rows that it crosses.
+double slant_of_verticals(const View& view) {
+  const glm::dvec2 way = glm::dvec2(in_texture(view, {0, 1, 0}) - in_texture(view, {0, 0, 0}));
+  return std::abs(way.x / way.y);
+}
+
+TEST(TightFit, LaysASunsMapAslantUnlessTheAuthorSaysHowItLies) {
+  const FitInput cube = {{box({-1, 0, -1}, {1, 2, 1})}, {box({-100, 0, -100}, {100, 0, 100})}};
+  for (const glm::dvec3& direction : {glm::dvec3(-0.9, -0.8, -0.5), glm::dvec3(0, -1, -1), glm::dvec3(1, -2, 0)}) {
+    LightFrame light = sun(direction);
+    light.up = {0, 1, 0};
+    EXPECT_NEAR(slant_of_verticals(fit(light, cube).view), 0, 1e-9) << "`up` is written";
+    light.up_written = false;
+    EXPECT_GT(slant_of_verticals(fit(light, cube).view), 0.25);
+    EXPECT_LT(slant_of_verticals(fit(light, cube).view), 0.5);
+    light.rectangle = {-5, -5, 5, 5};
+    EXPECT_NEAR(slant_of_verticals(fit(light, cube).view), 0, 1e-9) << "the rectangle is written";
+  }
+}
+
 TEST(TightFit, FollowsTheCameraOverALargeTerrain) {
   // The terrain casts on itself, so without a camera the map has to hold all of it.
   FitInput terrain = {{box({-500, 0, -500}, {500, 2, 500})}, {box({-500, 0, -500}, {500, 2, 500})}};

@@ -18,9 +18,9 @@ TEST(ShadowMethods, AreReadByTheirNames) {
 }
 
 TEST(ShadowMethods, AskForMoreBiasTheWiderTheirKernel) {
-  const std::pair<ShadowMethod, double> wanted[] = {{ShadowMethod::hard, 2}, {ShadowMethod::bilinear, 2},
-                                                    {ShadowMethod::pcf2, 3}, {ShadowMethod::pcf3, 4},
-                                                    {ShadowMethod::pcf4, 5}, {ShadowMethod::pcf4_taps, 5}};
+  const std::pair<ShadowMethod, double> wanted[] = {
+      {ShadowMethod::hard, 2}, {ShadowMethod::bilinear, 2},  {ShadowMethod::pcf2, 3},    {ShadowMethod::pcf3, 4},
+      {ShadowMethod::pcf4, 5}, {ShadowMethod::pcf4_taps, 5}, {ShadowMethod::sharp3, 2.5}};
   for (const auto& [method, scale] : wanted) EXPECT_EQ(automatic_slope_scale(method), scale) << to_text(method);
 }
 
