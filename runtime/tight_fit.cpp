@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -116,6 +117,16 @@ Box common_window(const LightSpace& space, std::initializer_list<const Hull*> hu
   return window_of(space, common_points(present), far);
 }
 
+/// Whether all of the box is outside of one plane.
+bool is_outside(const PlacedBox& placed, const glm::dmat4& world_to_light, const Hull& hull) {
+  const glm::dmat4 to_light = world_to_light * placed.to_world;
+  return std::ranges::any_of(hull.planes, [&](const glm::dvec4& plane) {
+    const glm::dvec4 in_box = plane * to_light;
+    const auto points = corners(placed.box);
+    return std::ranges::all_of(points, [&](const glm::dvec3& corner) { return glm::dot(in_box, glm::dvec4(corner, 1)) < 0; });
+  });
+}
+
 bool any_unknown(const std::vector<PlacedBox>& boxes) {
   return std::ranges::any_of(boxes, [](const PlacedBox& placed) { return !placed.known; });
 }
@@ -131,6 +142,7 @@ Box receivers_window(const LightSpace& space, const FitInput& input, const Hull*
   const Hull* const view = input.camera != nullptr ? &camera : nullptr;
   Box window;
   for (const PlacedBox& placed : input.receivers) {
+    if (part != nullptr && is_outside(placed, space.view.world_to_eye, *part)) continue;  // most, and quicker told so
     const Hull hull = hull_of(placed.box, space.view.world_to_eye * placed.to_world);
     window = join(window, common_window(space, {&hull, view, cone, part}, far));
   }
@@ -152,14 +164,20 @@ Box thickened(const Box& window) {
   return {{x.low, y.low, z.low}, {x.high, y.high, z.high}};
 }
 
-/// From what receives towards the light.
-Hull casting_space(const LightSpace& space, const FitInput& input, const Box& receivers) {
-  if (space.spot) return cone_hull({receivers.min.x, receivers.min.y, receivers.max.x, receivers.max.y}, receivers.max.z);
-  double first = -receivers.min.z;
+/// Where the first caster begins, along the way of the light.
+double first_caster(const LightSpace& space, const FitInput& input) {
+  double first = -std::numeric_limits<double>::infinity();
   for (const PlacedBox& placed : input.casters) {
     const Box seen = transformed(placed.box, space.view.world_to_eye * placed.to_world);
     if (!seen.empty()) first = std::max(first, seen.max.z);
   }
+  return first;
+}
+
+/// From what receives towards the light, or of a directional light to `first`.
+Hull casting_space(const LightSpace& space, double first, const Box& receivers) {
+  if (space.spot) return cone_hull({receivers.min.x, receivers.min.y, receivers.max.x, receivers.max.y}, receivers.max.z);
+  first = std::max(first, -receivers.min.z);
   return hull_of({{receivers.min.x, receivers.min.y, -receivers.max.z}, {receivers.max.x, receivers.max.y, first}},
                  glm::dmat4(1.0));
 }
@@ -181,10 +199,11 @@ Box receivers_behind(const LightSpace& space, const FitInput& input, const Place
 Box casters_window(const LightSpace& space, const FitInput& input, const Box& receivers, double far) {
   if (any_unknown(input.casters)) return receivers;
   Box window;
+  const double first = first_caster(space, input);
   for (const PlacedBox& caster : input.casters) {
     const Box reached = receivers_behind(space, input, caster, receivers, far);
     if (reached.empty()) continue;
-    const Hull where = casting_space(space, input, reached);
+    const Hull where = casting_space(space, first, reached);
     const Hull hull = hull_of(caster.box, space.view.world_to_eye * caster.to_world);
     window = join(window, common_window(space, {&hull, &where}, far));
   }
