@@ -32,6 +32,13 @@ bool names_a_map(const EffectCode& code) {
   });
 }
 
+/// Whether it fills a plug whose light need not come from the light's own colours.
+bool adds_light(const EffectCode& code) {
+  constexpr std::string_view kLightPlugs[] = {"add_light", "add_light_contribution", "material_light_ambient",
+                                              "material_light_diffuse", "material_light_specular"};
+  return std::ranges::any_of(kLightPlugs, [&](std::string_view plug) { return code.fills(plug); });
+}
+
 /// Whether its vertices may be elsewhere than its geometry says.
 bool may_move(const SceneShape& shape, const std::vector<EffectCode>& effects, const Scene& scene) {
   const auto moves = [&](int effect) {
@@ -71,6 +78,23 @@ void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCo
                        graph[scene.lights[static_cast<std::size_t>(map.light)].node].type_span,
                        fmt::format("this light's shadow cannot be traced: {}; it comes from a map (`{}`)", why,
                                    to_text(kDefaultShadowMethod)));
+  }
+}
+
+void mark_maps_of_other_light(const std::vector<EffectCode>& effects, Scene& scene) {
+  const auto brings_light = [&](int effect) { return adds_light(effects[static_cast<std::size_t>(effect)]); };
+  for (const SceneShape& shape : scene.shapes) {
+    const auto texture_brings = [&](const TextureUse& use) {
+      return use.texture >= 0 &&
+             std::ranges::any_of(scene.textures[static_cast<std::size_t>(use.texture)].effects, brings_light);
+    };
+    const bool of_shape = shape.shader >= 0 || std::ranges::any_of(shape.effects, brings_light) ||
+                          std::ranges::any_of(shape.textures, texture_brings);
+    for (const ReceivedShadow& shadow : shape.receives) {
+      const SceneLight& light = scene.lights[static_cast<std::size_t>(shadow.light)];
+      if (shadow.shadow_map >= 0 && (of_shape || std::ranges::any_of(light.effects, brings_light)))
+        scene.shadow_maps[static_cast<std::size_t>(shadow.shadow_map)].other_light = true;
+    }
   }
 }
 

@@ -74,8 +74,8 @@ ShadowMap make_shadow_map(const gl::Functions& functions, const PackedShadowMap&
   if (packed.update() == PackedShadowUpdate::none || packed.method() == PackedShadowMethod::traced) return map;
   const bool cube = light.kind() == PackedLightKind::point;
   const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
-  const GLsizei largest = gl::max_target_side(functions);
-  map.size = usable_size(size, cube ? std::min(largest, kMaxCubeMapSide) : largest, messages);
+  const GLsizei largest = cube ? std::min(gl::max_cube_map_side(functions), kMaxCubeMapSide) : gl::max_target_side(functions);
+  map.size = usable_size(size, largest, messages);
   if (cube) {
     map.texture = gl::make_depth_texture(functions, GL_TEXTURE_CUBE_MAP, map.size, false, filter);
     for (GLenum face = 0; face < kCubeFaceCount; ++face)
@@ -103,6 +103,12 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
     maps.back().only_projects = packed.update() == PackedShadowUpdate::none && !maps.back().readers.empty();
   }
   return maps;
+}
+
+bool is_looked_into(const ShadowMap& map, const World& world) {
+  return std::ranges::any_of(map.readers, [&world](const MapReader& reader) {
+    return world.shape_visible[reader.shape] && world.shape_variant[reader.shape] == reader.variant;
+  });
 }
 
 std::uint32_t largest_map_size(const PackedScene& scene, std::uint32_t index) {

@@ -181,7 +181,7 @@ Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, co
       return slot_numbers(binding.a(), inputs.slots.number(binding.b(), 1), wanted_size, inputs.slots);
     case PackedSource::color_and_transparency:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
-    case PackedSource::depth_pass_range: return numbers(glm::dvec4(inputs.depth_range, 0));
+    case PackedSource::depth_pass_range: return numbers(inputs.depth_range);
     case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
     case PackedSource::color_and_alpha:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), inputs.slots.number(binding.b(), 1)));
