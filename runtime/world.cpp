@@ -26,15 +26,21 @@ PlacedTransform place_transform(const PackedTransform& packed, const PlacedTrans
   return placed;
 }
 
-/// About `axis` until local +z points to the eye, as far as that goes; without an axis until the axes are parallel to the
-/// viewer's (X3D 4.1, 23.4.1: viewer alignment), so that what is flat stays parallel to the picture. Nothing where the eye
-/// stands on the axis.
+/// Local +y as the viewer's up, and +z as near as that allows to what is behind the viewer (X3D 4.1, 23.4.1: viewer alignment),
+/// so that what is flat lies parallel to the picture. Under a scale that is not the same along all axes the shape is sheared.
+glm::dmat4 viewer_alignment(const glm::dmat3& to_local, const Viewer& viewer) {
+  const glm::dvec3 up = to_local * viewer.up;
+  const glm::dvec3 right = glm::cross(up, to_local * viewer.back);
+  const bool usable = glm::length(up) > 0 && glm::length(right) > 0 && std::isfinite(glm::length(up) + glm::length(right));
+  if (!usable) return glm::dmat4(1.0);
+  const glm::dvec3 x = glm::normalize(right), y = glm::normalize(up);
+  return glm::dmat4(glm::dmat3(x, y, glm::cross(x, y)));
+}
+
+/// About `axis` until local +z points to the eye, as far as that goes. Nothing where the eye stands on the axis.
 glm::dmat4 billboard_turn(const glm::dvec3& axis, const glm::dmat4& to_world, const Viewer& viewer) {
   const glm::dmat4 to_local = glm::inverse(to_world);
-  if (axis == glm::dvec3(0)) {
-    const glm::dmat3 turned(to_local);
-    return look_along(glm::dvec3(0), turned * -viewer.back, turned * viewer.up).eye_to_world;
-  }
+  if (axis == glm::dvec3(0)) return viewer_alignment(glm::dmat3(to_local), viewer);
   const glm::dvec3 eye(to_local * glm::dvec4(viewer.eye, 1));
   const double distance = glm::length(eye);
   if (!(distance > 0) || !std::isfinite(distance)) return glm::dmat4(1.0);
