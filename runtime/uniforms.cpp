@@ -173,8 +173,8 @@ double visibility_range(const PackedBinding& binding, const UniformInputs& input
 
 Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, const UniformInputs& inputs) {
   switch (binding.source()) {
-    case PackedSource::slot:
-    case PackedSource::shadow_intensity: return slot_numbers(binding.a(), 1.0, wanted_size, inputs.slots);
+    case PackedSource::slot: return slot_numbers(binding.a(), 1.0, wanted_size, inputs.slots);
+    case PackedSource::shadow_intensity: return {shadow_intensity(binding.a(), inputs.slots)};
     case PackedSource::slot_scaled:
       return slot_numbers(binding.a(), static_cast<double>(binding.scale()), wanted_size, inputs.slots);
     case PackedSource::slot_product:

@@ -78,9 +78,14 @@ bool light_shines(const PackedLight& light, const Slots& slots, const World& wor
   return world.at(light.transform()).visible && slots.boolean(light.on(), true);
 }
 
+double shadow_intensity(std::uint32_t slot, const Slots& slots) {
+  const double written = slots.number(slot, 1);
+  return written >= 0 ? std::min(written, 1.0) : 0;  // not a number: none
+}
+
 bool shadow_shows(const PackedShadowMap& map, const PackedScene& scene, const Slots& slots, const World& world) {
   const PackedLight& light = *scene.lights()->Get(map.light());
-  if (!light_shines(light, slots, world) || slots.number(light.shadow_intensity(), 1) == 0) return false;
+  if (!light_shines(light, slots, world) || shadow_intensity(light.shadow_intensity(), slots) == 0) return false;
   return map.other_light() || !is_black(light, slots);
 }
 

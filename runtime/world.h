@@ -47,6 +47,9 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
 /// Whether the light is on, and in no branch that a Switch has not chosen.
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world);
 
+/// How much of the light a shadow takes away: the field `shadowIntensity`, cut to 0 to 1.
+double shadow_intensity(std::uint32_t slot, const Slots& slots);
+
 /// Whether it can be seen what a shadow map darkens: not where its light does not shine, has `shadowIntensity` 0, or is black
 /// and nothing else brings light.
 bool shadow_shows(const PackedShadowMap& map, const PackedScene& scene, const Slots& slots, const World& world);

@@ -81,6 +81,33 @@ TEST_P(Degenerate, Scenes) {
   }
 }
 
+std::vector<double> values_of(const Stage& stage, std::string_view field) {
+  for (const PackedSlotName* slot : *stage.scene().slot_names()) {
+    if (slot->name()->string_view() != field) continue;
+    const auto values = stage.slots().values(slot->slot());
+    return {values.begin(), values.end()};
+  }
+  return {};
+}
+
+/// Each component of each field in turn, and all of a field together, become numbers that nobody can mean.
+void expect_defined_with_odd_numbers(Stage& stage, const std::vector<std::string>& fields) {
+  const double odd[] = {0, -1, 1e-7, 1e-38, 1e30, -1e30, 1e300, kInfinity, -kInfinity, kNan};
+  for (const std::string& field : fields) {
+    const std::vector<double> before = values_of(stage, field);
+    for (const double value : odd) {
+      for (std::size_t i = 0; i <= before.size(); ++i) {
+        std::vector<double> changed = before;
+        if (i < before.size()) changed[i] = value;
+        if (i == before.size()) changed.assign(before.size(), value);
+        stage.set(field, changed);
+        expect_defined(stage, field + " component " + std::to_string(i) + " is " + std::to_string(value));
+      }
+    }
+    stage.set(field, before);
+  }
+}
+
 TEST_P(Degenerate, Numbers) {
   const bool sun = GetParam() == kSun;
   std::vector<std::string> fields = {"Lamp.direction",    "Lamp.projectionNear", "Lamp.projectionFar", "Lamp.up",
@@ -94,26 +121,15 @@ TEST_P(Degenerate, Numbers) {
     if (!sun) fields.emplace_back(field);
   }
   Stage stage(boxes_scene(GetParam()), fields, kSide, true);
-  const double odd[] = {0, -1, 1e-7, 1e-38, 1e30, -1e30, 1e300, kInfinity, -kInfinity, kNan};
-  for (const std::string& field : fields) {
-    std::vector<double> before;
-    for (const PackedSlotName* slot : *stage.scene().slot_names()) {
-      if (slot->name()->string_view() == field) {
-        const auto values = stage.slots().values(slot->slot());
-        before.assign(values.begin(), values.end());
-      }
-    }
-    for (const double value : odd) {
-      for (std::size_t i = 0; i <= before.size(); ++i) {  // each component, then all of them
-        std::vector<double> changed = before;
-        if (i < before.size()) changed[i] = value;
-        if (i == before.size()) changed.assign(before.size(), value);
-        stage.set(field, changed);
-        expect_defined(stage, field + " component " + std::to_string(i) + " is " + std::to_string(value));
-      }
-    }
-    stage.set(field, before);
-  }
+  expect_defined_with_odd_numbers(stage, fields);
+}
+
+TEST(ShadowStability, NumbersOfAPointLight) {
+  const std::vector<std::string> fields = {"Lamp.location", "Lamp.projectionNear",  "Lamp.projectionFar",
+                                           "Lamp.radius",   "Lamp.shadowIntensity", "Map.scale",
+                                           "Map.bias"};
+  Stage stage(boxes_scene(kBulb), fields, kSide, true);
+  expect_defined_with_odd_numbers(stage, fields);
 }
 
 TEST_P(Degenerate, UpParallelToTheDirection) {
