@@ -15,7 +15,7 @@ namespace {
 constexpr GLsizei kMaxCubeMapSide = 4096;  // six faces: 384 MiB
 
 GLsizei usable_size(std::uint32_t wanted, GLsizei largest, Messages& messages) {
-  const auto limit = std::min(kMaxShadowMapSide, static_cast<std::uint32_t>(largest));
+  const auto limit = std::min(kMaxShadowMapSide, static_cast<std::uint32_t>(std::max(largest, 1)));
   const std::uint32_t size = std::clamp(wanted, 1U, limit);
   if (size != wanted) {
     messages.add("a shadow map cannot have the size " + std::to_string(wanted) + ": it gets " + std::to_string(size));
