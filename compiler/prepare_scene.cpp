@@ -137,7 +137,12 @@ ShapeFacts shape_facts(const PreparedScene& prepared, const SceneShape& shape, c
 struct DepthPasses {
   bool flat = false;  ///< Of directional and spot lights.
   bool of_point_lights = false;
+  bool cut_near = false;  ///< Some point light's `projectionNear` may be other than 0.
 };
+
+bool may_cut_near(const Slot& near) {
+  return near.routed || near.values[0] != 0;
+}
 
 DepthPasses depth_passes(const Scene& scene) {
   DepthPasses passes;
@@ -145,13 +150,21 @@ DepthPasses depth_passes(const Scene& scene) {
     if (map.update == ShadowUpdate::none) continue;
     const bool point = scene.lights[static_cast<std::size_t>(map.light)].kind == LightKind::point;
     (point ? passes.of_point_lights : passes.flat) = true;
+    if (point) passes.cut_near = passes.cut_near || may_cut_near(scene.slots[map.near]);
   }
   return passes;
 }
 
+/// A ComposedShader that discards fragments: which ones, only the whole of it knows, so its own program draws the depths, too.
+/// It writes no distances, so the map of a point light shows it without holes.
+bool draws_its_depths(const Recipe& recipe, const std::vector<EffectCode>& shaders) {
+  return recipe.shader >= 0 && shaders[static_cast<std::size_t>(recipe.shader)].discards;
+}
+
 /// The programs of all states of a shape: first those with most in them, which others are reductions of.
-void plan_variants(ShapeStates states, const DepthPasses& passes, const std::vector<EffectCode>& effects, RecipeList& recipes,
+void plan_variants(ShapeStates states, const DepthPasses& passes, const PreparedScene& prepared, RecipeList& recipes,
                    ShapePlan& plan) {
+  const std::vector<EffectCode>& effects = prepared.effects;
   plan.variants.resize(states.recipes.size());
   for (const bool reduced : {false, true}) {
     for (std::size_t i = 0; i < states.recipes.size(); ++i) {
@@ -160,9 +173,16 @@ void plan_variants(ShapeStates states, const DepthPasses& passes, const std::vec
       const PlannedVariant fuller = reduced ? plan.variants[static_cast<std::size_t>(wanted.fuller)] : PlannedVariant();
       plan.variants[i].program = recipes.add(wanted.recipe, fuller.program);
       PlannedVariant& variant = plan.variants[i];
-      if (passes.flat) variant.depth_program = recipes.add(make_depth_recipe(wanted.recipe, effects), fuller.depth_program);
-      if (passes.of_point_lights)
-        variant.point_depth_program = recipes.add(make_depth_recipe(wanted.recipe, effects, true), fuller.point_depth_program);
+      if (passes.flat) {
+        variant.depth_program = draws_its_depths(wanted.recipe, prepared.shaders)
+                                    ? variant.program
+                                    : recipes.add(make_depth_recipe(wanted.recipe, effects), fuller.depth_program);
+      }
+      if (passes.of_point_lights) {
+        Recipe depth = make_depth_recipe(wanted.recipe, effects, true);
+        depth.cut_near = passes.cut_near;
+        variant.point_depth_program = recipes.add(depth, fuller.point_depth_program);
+      }
     }
   }
   plan.switches = std::move(states.switches);
@@ -201,7 +221,7 @@ void prepare_recipes(PreparedScene& prepared, const std::vector<AlphaUse>& alpha
     if (plan.mesh == nullptr) continue;
     const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, alpha[i]);
     plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects),
-                  casts_shadow(parts, i) ? passes : DepthPasses(), prepared.effects, recipes, plan);
+                  casts_shadow(parts, i) ? passes : DepthPasses(), prepared, recipes, plan);
   }
   plan_maps(parts, recipes);
 }
@@ -222,6 +242,7 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   prepare_tangents(parts);
   prepare_effect_code(parts.scene, prepared, diagnostics);
   mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);
+  mark_maps_of_other_light(prepared.effects, parts.scene);
   replace_untraceable_maps(graph, prepared.effects, parts.scene, diagnostics);
   const std::vector<AlphaUse> alpha = prepare_alpha(parts);
   if (purpose != PreparedFor::library) drop_impossible_shadows(prepared.effects, parts);

@@ -34,6 +34,13 @@ bool names_a_map(const EffectCode& code) {
   });
 }
 
+/// Whether it fills a plug whose light need not come from the light's own colours.
+bool adds_light(const EffectCode& code) {
+  constexpr std::string_view kLightPlugs[] = {"add_light", "add_light_contribution", "material_light_ambient",
+                                              "material_light_diffuse", "material_light_specular"};
+  return std::ranges::any_of(kLightPlugs, [&](std::string_view plug) { return code.fills(plug); });
+}
+
 /// Why a map cannot be traced; empty when it can.
 std::string obstacle(const SceneShadowMap& map, const std::vector<EffectCode>& effects, const Scene& scene) {
   if (map.author_visible) return "its map is looked into";
@@ -59,6 +66,23 @@ void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCo
                        graph[scene.lights[static_cast<std::size_t>(map.light)].node].type_span,
                        fmt::format("this light's shadow cannot be traced: {}; it comes from a map (`{}`)", why,
                                    to_text(kDefaultShadowMethod)));
+  }
+}
+
+void mark_maps_of_other_light(const std::vector<EffectCode>& effects, Scene& scene) {
+  const auto brings_light = [&](int effect) { return adds_light(effects[static_cast<std::size_t>(effect)]); };
+  for (const SceneShape& shape : scene.shapes) {
+    const auto texture_brings = [&](const TextureUse& use) {
+      return use.texture >= 0 &&
+             std::ranges::any_of(scene.textures[static_cast<std::size_t>(use.texture)].effects, brings_light);
+    };
+    const bool of_shape = shape.shader >= 0 || std::ranges::any_of(shape.effects, brings_light) ||
+                          std::ranges::any_of(shape.textures, texture_brings);
+    for (const ReceivedShadow& shadow : shape.receives) {
+      const SceneLight& light = scene.lights[static_cast<std::size_t>(shadow.light)];
+      if (shadow.shadow_map >= 0 && (of_shape || std::ranges::any_of(light.effects, brings_light)))
+        scene.shadow_maps[static_cast<std::size_t>(shadow.shadow_map)].other_light = true;
+    }
   }
 }
 

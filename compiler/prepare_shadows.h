@@ -14,6 +14,10 @@ namespace plugc {
 /// known program by program only, so one of these words marks every map).
 void mark_author_visible_maps(const std::vector<EffectCode>& effects, const std::vector<EffectCode>& shaders, Scene& scene);
 
+/// Marks the maps whose shadow may be seen though their light has no colour of its own: a ComposedShader, or an effect on a
+/// plug of light, may add to the light that it scales.
+void mark_maps_of_other_light(const std::vector<EffectCode>& effects, Scene& scene);
+
 /// Gives maps that cannot be traced the default method, and says why: an effect or a whole shader may move vertices of a shape
 /// that casts or shows the shadow, an effect may cut holes into any shape (through which another one's shadow would be seen),
 /// or the author looks into the map. After mark_author_visible_maps().

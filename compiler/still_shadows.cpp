@@ -183,6 +183,12 @@ bool may_be_shadowed(const std::vector<StillShape>& shapes, std::size_t receiver
   return false;
 }
 
+/// Its shadows leave all light where it is, for good.
+bool takes_nothing(const SceneLight& light, const StillScene& still) {
+  const std::optional<glm::dvec4> intensity = still.values(light.shadow_intensity, glm::dvec4(1));
+  return intensity && intensity->x == 0;
+}
+
 }  // namespace
 
 void drop_impossible_shadows(const std::vector<EffectCode>& effects, SceneParts& parts) {
@@ -192,8 +198,9 @@ void drop_impossible_shadows(const std::vector<EffectCode>& effects, SceneParts&
   const std::vector<StillShape> shapes = find_still_shapes(effects, parts, still);
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     std::erase_if(scene.shapes[i].receives, [&](const ReceivedShadow& shadow) {
-      if (shadow.compare != DepthCompare::less_equal) return false;  // it darkens where nothing casts
       const SceneLight& light = scene.lights[static_cast<std::size_t>(shadow.light)];
+      if (takes_nothing(light, still)) return true;
+      if (shadow.compare != DepthCompare::less_equal) return false;  // it darkens where nothing casts
       const std::optional<StillLight> found = find_still_light(light, still);
       return found && !may_be_shadowed(shapes, i, *found);
     });

@@ -1,5 +1,5 @@
-// The largest distance only has to reach the last receiver: what casts from farther away shadows nobody. A near plane would cut
-// nothing, for depths are clamped in every pass and the fragments write distances, so projectionNear says nothing here.
+// The largest distance only has to reach the last receiver: what casts from farther away shadows nobody. `projectionNear` is a
+// distance too, so the fragments leave out what is nearer: near planes of the faces would be a cube, not a sphere.
 
 #include "runtime/cube_map.h"
 
@@ -53,6 +53,8 @@ View fit_point_light(const LightFrame& light, const FitInput& input) {
   if (!(reach >= kSmallestReach && reach <= kLargestReach)) reach = 1;
   View view;
   view.all_around = true;
+  view.near = std::min(light.near, reach);
+  view.far = reach;
   view.world_to_eye = glm::translate(glm::dmat4(1.0), -place);
   view.eye_to_world = glm::translate(glm::dmat4(1.0), place);
   view.projection = glm::scale(glm::dmat4(1.0), glm::dvec3(1 / reach));
@@ -76,8 +78,8 @@ bool face_is_read(const View& map, unsigned face, int size, const FitInput& inpu
   });
 }
 
-glm::dvec3 depth_pass_range(const View& map, double scale, double bias) {
-  return {map.projection[0][0], scale, bias * kDepthUnit};
+glm::dvec4 depth_pass_range(const View& map, double scale, double bias) {
+  return {map.projection[0][0], scale, bias * kDepthUnit, map.near * map.projection[0][0]};
 }
 
 }  // namespace plugc

@@ -18,7 +18,7 @@ struct Pass {
   std::vector<View> shadow_views;     ///< One per shadow map.
   std::set<std::uint32_t> programs;   ///< Used so far.
   bool of_point_light = false;        ///< A depth map all of whose depths are distances to a point light.
-  glm::dvec3 depth_range{0};          ///< Of such a pass: PackedSource::depth_pass_range.
+  glm::dvec4 depth_range{0};          ///< Of such a pass: PackedSource::depth_pass_range.
   std::int32_t bound_viewpoint = -1;  ///< Through which `view` looks; -1: through none of the scene's.
 };
 

@@ -39,7 +39,8 @@ void place_scene(LoadedScene& scene) {
 /// Turns what has to face the viewer. True where something may stand elsewhere now, the camera too.
 bool turn_billboards(LoadedScene& scene, const View& camera) {
   if (scene.packed->billboards() == nullptr || scene.packed->billboards()->size() == 0) return false;
-  const Viewer viewer{glm::dvec3(camera.eye_to_world[3]), glm::dvec3(camera.eye_to_world[1])};
+  const Viewer viewer{glm::dvec3(camera.eye_to_world[3]), glm::dvec3(camera.eye_to_world[1]),
+                      glm::dvec3(camera.eye_to_world[2])};
   if (scene.placed_for == viewer) return false;
   scene.world = place(*scene.package, *scene.packed, scene.slots, &viewer);
   scene.placed_for = viewer;

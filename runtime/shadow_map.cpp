@@ -15,7 +15,7 @@ namespace {
 constexpr GLsizei kMaxCubeMapSide = 4096;  // six faces: 384 MiB
 
 GLsizei usable_size(std::uint32_t wanted, GLsizei largest, Messages& messages) {
-  const auto limit = std::min(kMaxShadowMapSide, static_cast<std::uint32_t>(largest));
+  const auto limit = std::min(kMaxShadowMapSide, static_cast<std::uint32_t>(std::max(largest, 1)));
   const std::uint32_t size = std::clamp(wanted, 1U, limit);
   if (size != wanted) {
     messages.add("a shadow map cannot have the size " + std::to_string(wanted) + ": it gets " + std::to_string(size));
@@ -74,8 +74,8 @@ ShadowMap make_shadow_map(const gl::Functions& functions, const PackedScene& sce
   if (packed.update() == PackedShadowUpdate::none || packed.method() == PackedShadowMethod::traced) return map;
   const bool cube = is_cube(scene, packed);
   const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
-  const GLsizei largest = gl::max_target_side(functions);
-  map.size = usable_size(size, cube ? std::min(largest, kMaxCubeMapSide) : largest, messages);
+  const GLsizei largest = cube ? std::min(gl::max_cube_map_side(functions), kMaxCubeMapSide) : gl::max_target_side(functions);
+  map.size = usable_size(size, largest, messages);
   if (cube) {
     map.texture = gl::make_depth_texture(functions, GL_TEXTURE_CUBE_MAP, map.size, false, filter);
     for (GLenum face = 0; face < kCubeFaceCount; ++face)
@@ -106,6 +106,12 @@ std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const Pa
 
 bool is_cube(const PackedScene& scene, const PackedShadowMap& map) {
   return scene.lights()->Get(map.light())->kind() == PackedLightKind::point;
+}
+
+bool is_looked_into(const ShadowMap& map, const World& world) {
+  return std::ranges::any_of(map.readers, [&world](const MapReader& reader) {
+    return world.shape_visible[reader.shape] && world.shape_variant[reader.shape] == reader.variant;
+  });
 }
 
 std::uint32_t largest_map_size(const PackedScene& scene, std::uint32_t index) {

@@ -39,6 +39,9 @@ struct ShadowMap {
   glm::dvec2 shift{0};  ///< Texels that it is moved under the scene: measurements average over several.
 };
 
+/// Whether a shape that is there now is drawn with a program that looks into the map.
+bool is_looked_into(const ShadowMap& map, const World& world);
+
 /// The view with the map moved by its `shift`.
 View shifted(const View& view, const ShadowMap& map);
 

@@ -122,7 +122,7 @@ void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& came
     ShadowMap& map = scene.shadow_maps[i];
     map.in_use = false;
     const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(i);
-    if (!light_shines(*scene.packed->lights()->Get(packed.light()), scene.slots, scene.world)) continue;
+    if (!is_looked_into(map, scene.world) || !shadow_shows(packed, *scene.packed, scene.slots, scene.world)) continue;
     place_geometry(scene.traced, scene, messages);
     if (scene.traced.tracer == nullptr) continue;
     if (triangles.empty()) {
@@ -134,7 +134,7 @@ void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& came
                           scene,
                           triangles,
                           CameraRays(camera, width, height),
-                          light_source(*scene.packed, packed.light(), scene.slots, scene.world),
+                          light_source(*scene.packed, packed, scene.slots, scene.world),
                           width,
                           height};
     gl::set_mask(gl, map.texture, width, height, trace_picture(tracing));

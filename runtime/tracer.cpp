@@ -4,6 +4,7 @@
 #include "runtime/tracer.h"
 
 #include "runtime/embree_library.h"
+#include "runtime/projection.h"
 
 #ifdef PLUGC_EMBREE
 
@@ -127,7 +128,7 @@ bool Tracer::shadowed(const glm::dvec3& point, const TriangleId& from, const Lig
   ray.dir_x = direction.x;
   ray.dir_y = direction.y;
   ray.dir_z = direction.z;
-  ray.tfar = static_cast<float>(distance);
+  ray.tfar = static_cast<float>(std::max(distance - light.near, 0.0));
   ray.mask = ~0U;
   RayContext context{{}, from};
   rtcInitIntersectContext(&context.embree);
@@ -160,13 +161,15 @@ double Tracer::scene_size() const {
 
 #endif
 
-LightSource light_source(const PackedScene& scene, std::uint32_t light, const Slots& slots, const World& world) {
-  const PackedLight& packed = *scene.lights()->Get(light);
+LightSource light_source(const PackedScene& scene, const PackedShadowMap& map, const Slots& slots, const World& world) {
+  const PackedLight& packed = *scene.lights()->Get(map.light());
   const glm::dmat4& place = world.at(packed.transform()).matrix;
   LightSource source;
   source.directional = packed.kind() == PackedLightKind::directional;
   source.towards = -glm::normalize(glm::dmat3(place) * slots.vector3(packed.direction(), {0, 0, -1}));
   source.place = glm::dvec3(place * glm::dvec4(slots.vector3(packed.location(), glm::dvec3(0)), 1));
+  Messages said_by_the_map;
+  if (packed.kind() == PackedLightKind::point) source.near = light_frame(scene, map, slots, world, said_by_the_map).near;
   return source;
 }
 

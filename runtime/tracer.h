@@ -23,9 +23,11 @@ struct LightSource {
   bool directional = true;
   glm::dvec3 towards{0, 0, 1};
   glm::dvec3 place{0};
+  double near = 0;  ///< What is nearer to the place casts no shadow.
 };
 
-LightSource light_source(const PackedScene& scene, std::uint32_t light, const Slots& slots, const World& world);
+/// The light of a map.
+LightSource light_source(const PackedScene& scene, const PackedShadowMap& map, const Slots& slots, const World& world);
 
 /// Unit vector from the point.
 glm::dvec3 towards_light(const LightSource& light, const glm::dvec3& point);

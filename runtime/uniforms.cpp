@@ -173,15 +173,15 @@ double visibility_range(const PackedBinding& binding, const UniformInputs& input
 
 Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, const UniformInputs& inputs) {
   switch (binding.source()) {
-    case PackedSource::slot:
-    case PackedSource::shadow_intensity: return slot_numbers(binding.a(), 1.0, wanted_size, inputs.slots);
+    case PackedSource::slot: return slot_numbers(binding.a(), 1.0, wanted_size, inputs.slots);
+    case PackedSource::shadow_intensity: return {shadow_intensity(binding.a(), inputs.slots)};
     case PackedSource::slot_scaled:
       return slot_numbers(binding.a(), static_cast<double>(binding.scale()), wanted_size, inputs.slots);
     case PackedSource::slot_product:
       return slot_numbers(binding.a(), inputs.slots.number(binding.b(), 1), wanted_size, inputs.slots);
     case PackedSource::color_and_transparency:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
-    case PackedSource::depth_pass_range: return numbers(glm::dvec4(inputs.depth_range, 0));
+    case PackedSource::depth_pass_range: return numbers(inputs.depth_range);
     case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
     case PackedSource::color_and_alpha:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), inputs.slots.number(binding.b(), 1)));

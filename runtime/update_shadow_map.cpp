@@ -16,16 +16,10 @@
 namespace plugc {
 namespace {
 
-bool is_looked_into(const ShadowMap& map, const World& world) {
-  return std::ranges::any_of(map.readers, [&world](const MapReader& reader) {
-    return world.shape_visible[reader.shape] && world.shape_variant[reader.shape] == reader.variant;
-  });
-}
-
 /// A map that authors see may be looked at where its light does not shine.
 bool matters(const LoadedScene& scene, const PackedShadowMap& packed, const ShadowMap& map) {
   if (!map.texture || !is_looked_into(map, scene.world)) return false;
-  return packed.author_visible() || light_shines(*scene.packed->lights()->Get(packed.light()), scene.slots, scene.world);
+  return packed.author_visible() || shadow_shows(packed, *scene.packed, scene.slots, scene.world);
 }
 
 void append(std::vector<float>& numbers, const glm::dmat4& matrix) {
@@ -55,7 +49,7 @@ std::vector<float> content_numbers(const LoadedScene& scene, const PackedShadowM
   append(numbers, light.projection);
   numbers.push_back(static_cast<float>(scene.slots.number(packed.scale(), 0)));
   numbers.push_back(static_cast<float>(scene.slots.number(packed.bias(), 0) * map.fit.coarseness));
-  if (keeps_moments(packed.method())) {
+  if (keeps_moments(packed.method()) || light.all_around) {
     numbers.push_back(static_cast<float>(light.near));
     numbers.push_back(static_cast<float>(light.far));
   }

@@ -26,17 +26,24 @@ PlacedTransform place_transform(const PackedTransform& packed, const PlacedTrans
   return placed;
 }
 
-/// About `axis` until local +z points to the eye, as far as that goes; without an axis until it does, local +y being as the
-/// viewer's up. Nothing where the eye stands on the axis.
+/// Local +y as the viewer's up, and +z as near as that allows to what is behind the viewer (X3D 4.1, 23.4.1: viewer alignment),
+/// so that what is flat lies parallel to the picture. Under a scale that is not the same along all axes the shape is sheared.
+glm::dmat4 viewer_alignment(const glm::dmat3& to_local, const Viewer& viewer) {
+  const glm::dvec3 up = to_local * viewer.up;
+  const glm::dvec3 right = glm::cross(up, to_local * viewer.back);
+  const bool usable = glm::length(up) > 0 && glm::length(right) > 0 && std::isfinite(glm::length(up) + glm::length(right));
+  if (!usable) return glm::dmat4(1.0);
+  const glm::dvec3 x = glm::normalize(right), y = glm::normalize(up);
+  return glm::dmat4(glm::dmat3(x, y, glm::cross(x, y)));
+}
+
+/// About `axis` until local +z points to the eye, as far as that goes. Nothing where the eye stands on the axis.
 glm::dmat4 billboard_turn(const glm::dvec3& axis, const glm::dmat4& to_world, const Viewer& viewer) {
   const glm::dmat4 to_local = glm::inverse(to_world);
+  if (axis == glm::dvec3(0)) return viewer_alignment(glm::dmat3(to_local), viewer);
   const glm::dvec3 eye(to_local * glm::dvec4(viewer.eye, 1));
   const double distance = glm::length(eye);
   if (!(distance > 0) || !std::isfinite(distance)) return glm::dmat4(1.0);
-  if (axis == glm::dvec3(0)) {
-    const View looking = look_along(glm::dvec3(0), -eye, glm::dmat3(to_local) * viewer.up);
-    return looking.eye_to_world;
-  }
   const glm::dvec3 about = glm::normalize(axis);
   const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, about) * about; };
   const glm::dvec3 from = across({0, 0, 1}), to = across(eye / distance);
@@ -48,6 +55,12 @@ glm::dmat4 billboard_turn(const glm::dvec3& axis, const glm::dmat4& to_world, co
 bool is_on(const PackedSwitch& one, const PackedScene& scene, const Slots& slots, const World& world) {
   if (one.kind() == PackedSwitchKind::slot) return slots.boolean(one.index(), true);
   return light_shines(*scene.lights()->Get(one.index()), slots, world);
+}
+
+/// Neither its ambient nor its direct term adds anything.
+bool is_black(const PackedLight& light, const Slots& slots) {
+  if (slots.vector3(light.color(), glm::dvec3(1)) == glm::dvec3(0)) return true;
+  return slots.number(light.intensity(), 1) == 0 && slots.number(light.ambient_intensity(), 0) == 0;
 }
 
 std::uint8_t current_variant(const PackedShape& shape, const PackedScene& scene, const Slots& slots, const World& world) {
@@ -63,6 +76,17 @@ std::uint8_t current_variant(const PackedShape& shape, const PackedScene& scene,
 
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world) {
   return world.at(light.transform()).visible && slots.boolean(light.on(), true);
+}
+
+double shadow_intensity(std::uint32_t slot, const Slots& slots) {
+  const double written = slots.number(slot, 1);
+  return written >= 0 ? std::min(written, 1.0) : 0;  // not a number: none
+}
+
+bool shadow_shows(const PackedShadowMap& map, const PackedScene& scene, const Slots& slots, const World& world) {
+  const PackedLight& light = *scene.lights()->Get(map.light());
+  if (!light_shines(light, slots, world) || shadow_intensity(light.shadow_intensity(), slots) == 0) return false;
+  return map.other_light() || !is_black(light, slots);
 }
 
 const PlacedTransform& World::at(std::int32_t transform) const {

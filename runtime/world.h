@@ -33,10 +33,11 @@ struct World {
   PlacedTransform root_;
 };
 
-/// Whoever looks at a scene whose Billboards turn: where the eye is, and its upward direction.
+/// Whoever looks at a scene whose Billboards turn: where the eye is, what is up to it, and what is behind it.
 struct Viewer {
   glm::dvec3 eye{0};
   glm::dvec3 up{0, 1, 0};
+  glm::dvec3 back{0, 0, 1};
   bool operator==(const Viewer&) const = default;
 };
 
@@ -45,6 +46,13 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
 
 /// Whether the light is on, and in no branch that a Switch has not chosen.
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world);
+
+/// How much of the light a shadow takes away: the field `shadowIntensity`, cut to 0 to 1.
+double shadow_intensity(std::uint32_t slot, const Slots& slots);
+
+/// Whether it can be seen what a shadow map darkens: not where its light does not shine, has `shadowIntensity` 0, or is black
+/// and nothing else brings light.
+bool shadow_shows(const PackedShadowMap& map, const PackedScene& scene, const Slots& slots, const World& world);
 
 /// The shape's box in its own space: as its author wrote it where a program may move its vertices, else its mesh's.
 Box object_bounds(const Package& package, const PackedShape& shape);
@@ -58,7 +66,7 @@ struct View {
   glm::dmat4 eye_to_world{1.0};
   glm::dmat4 projection{1.0};
   double near = 0, far = 0;  ///< Of a light: between which distances along its view linear depth runs from 0 to 1; equal: none.
-  bool all_around = false;   ///< Of a point light's map: no frustum; the projection divides by the largest distance.
+  bool all_around = false;   ///< Of a point light's map: no frustum; the projection divides by the largest distance, `far`.
   bool reversed = false;     ///< Clip depth runs from 1 (near) to 0 (far), as with glClipControl; else from -1 to 1.
 };
 

@@ -128,7 +128,9 @@ void add_build_command(CLI::App& app, int& status) {
         return read_percentage(text) ? ""
                                      : fmt::format("`{}` is no share of wrong pixels; write a percentage, e.g. 0.5%", text);
       });
-  verb->add_option("--size", options->size, "Size of the pictures that --shadow-error counts pixels of")->capture_default_str();
+  verb->add_option("--size", options->size,
+                   "Size of the pictures that --shadow-error counts pixels of; with many viewpoints less, 16 megapixels in all")
+      ->capture_default_str();
   add_common_options(*verb, options->common);
   add_jobs_option(*verb, options->common, "Programs that are validated at a time");
   verb->footer(

@@ -70,7 +70,9 @@ std::string source_text(const Place& place, const PackedBinding& binding) {
   if (!names_slots(binding.source())) return fmt::format("{} {}", source, binding.a());
   const std::string first = binding.a() == kNoSlot ? "no slot" : slot_name(*place.scene, binding.a());
   if (binding.source() == PackedSource::slot) return first;
-  const bool takes_two = binding.source() != PackedSource::slot_scaled && binding.b() != kNoSlot;
+  const bool has_two =
+      binding.source() == PackedSource::slot_product || binding.source() == PackedSource::color_and_transparency;
+  const bool takes_two = has_two && binding.b() != kNoSlot;
   const std::string scale = binding.source() == PackedSource::slot_scaled ? fmt::format(" * {}", binding.scale()) : "";
   return fmt::format("{} {}{}{}", source, first, takes_two ? ", " + slot_name(*place.scene, binding.b()) : "", scale);
 }

@@ -55,7 +55,7 @@ constexpr Pattern kPatterns[] = {
     {"castle_shadow_depths", {uniform, "sampler2D", Source::shadow_depths}},
     {"castle_shadow_depth_line", {uniform, "vec4", Source::shadow_depth_line}},
     {"castle_shadow_unblurred", {uniform, "sampler2D", Source::shadow_unblurred}},
-    {"castle_DepthPassRange", {uniform, "vec3", Source::depth_pass_range}},
+    {"castle_DepthPassRange", {uniform, "vec4", Source::depth_pass_range}},
     {"castle_FogColor", {uniform, "vec3", Source::fog_color}},
     {"castle_FogVisibilityRange", {uniform, "float", Source::fog_visibility_range}},
     {"castle_CameraMatrix", {uniform, "mat4", Source::camera_matrix}},

@@ -330,7 +330,8 @@ void Placer::place() {
   place_wanted_coordinates();
   place_fog();
   if (recipe_.alpha_test) add_template("alpha_test.frag", ShaderStage::fragment, {}, {});
-  if (recipe_.of_point_light) add_template("point_depth.frag", ShaderStage::fragment, {}, {});
+  if (recipe_.of_point_light)
+    add_template("point_depth.frag", ShaderStage::fragment, recipe_.cut_near ? Features{"NEAR"} : Features{}, {});
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) {
     const LightRecipe& light = recipe_.lights[i];
     const PlugScope scope{ScopeKind::light, static_cast<int>(i)};

@@ -51,6 +51,7 @@ struct Recipe {
   bool depth_pass = false;      ///< The program of a shadow pass; what is wrong is said of the shape's own program.
   bool depth_only = false;      ///< Of one in which no fragment is discarded.
   bool of_point_light = false;  ///< Of one whose depth is the distance to a point light.
+  bool cut_near = false;        ///< Of such a one: what is nearer than `projectionNear` is left out.
   MapPass map_pass = MapPass::none;
   bool gouraud = false;
   bool lit = false;

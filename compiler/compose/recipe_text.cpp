@@ -32,6 +32,7 @@ void append_base(std::string& text, const Recipe& recipe) {
   const Word words[] = {{!recipe.depth_pass && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
                         {recipe.depth_pass && !recipe.depth_only, " fragments"},
                         {recipe.of_point_light, " point"},
+                        {recipe.cut_near, " cut_near"},
                         {recipe.physical, " physical"},
                         {recipe.specular, " specular"},
                         {recipe.emissive, " emissive"},

@@ -185,6 +185,7 @@ std::unique_ptr<PackedLightT> pack_light(const SceneLight& light) {
   packed->radius = light.radius;
   packed->cut_off_angle = light.cut_off_angle;
   packed->beam_width = light.beam_width;
+  packed->shadow_intensity = light.shadow_intensity;
   packed->name = light.label;
   return packed;
 }
@@ -215,6 +216,7 @@ std::unique_ptr<PackedShadowMapT> pack_shadow_map(const SceneShadowMap& map) {
   packed->rectangle = map.rectangle;
   packed->location = map.location;
   packed->author_visible = map.author_visible;
+  packed->other_light = map.other_light;
   return packed;
 }
 

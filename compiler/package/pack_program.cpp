@@ -271,7 +271,7 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::shadow_unblurred: return bind_own_map(index, PackedSource::shadow_unblurred);
     case CastleSource::depth_pass_range: return add(index, PackedSource::depth_pass_range);
     case CastleSource::shadow_intensity:
-      if (const SceneLight* found = light(name.number)) add(index, PackedSource::slot, found->shadow_intensity);
+      if (const SceneLight* found = light(name.number)) add(index, PackedSource::shadow_intensity, found->shadow_intensity);
       return;
     case CastleSource::fog_color:
     case CastleSource::fog_visibility_range: return bind_fog(index, name.source);

@@ -42,7 +42,9 @@ bool check_light(SceneCheck& scene, const PackedLight& light, const Place& place
          scene.slot(place, "ambient intensity", light.ambient_intensity(), 1) &&
          scene.slot(place, "location", light.location(), 3) && scene.slot(place, "direction", light.direction(), 3) &&
          scene.slot(place, "attenuation", light.attenuation(), 3) && scene.slot(place, "radius", light.radius(), 1) &&
-         scene.slot(place, "cut off angle", light.cut_off_angle(), 1) && scene.slot(place, "beam width", light.beam_width(), 1);
+         scene.slot(place, "cut off angle", light.cut_off_angle(), 1) &&
+         scene.slot(place, "beam width", light.beam_width(), 1) &&
+         scene.slot(place, "shadow intensity", light.shadow_intensity(), 1);
 }
 
 bool check_shadow_map(SceneCheck& scene, const PackedShadowMap& map, const Place& place) {

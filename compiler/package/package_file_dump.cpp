@@ -172,8 +172,9 @@ void dump_light(Text& text, const PackedLight& light, std::size_t index) {
   line(text, "    slots: on {}, color {}, intensity {}, ambient intensity {}, location {}, direction {}", slot(light.on()),
        slot(light.color()), slot(light.intensity()), slot(light.ambient_intensity()), slot(light.location()),
        slot(light.direction()));
-  line(text, "    slots: attenuation {}, radius {}, cut off angle {}, beam width {}", slot(light.attenuation()),
-       slot(light.radius()), slot(light.cut_off_angle()), slot(light.beam_width()));
+  line(text, "    slots: attenuation {}, radius {}, cut off angle {}, beam width {}, shadow intensity {}",
+       slot(light.attenuation()), slot(light.radius()), slot(light.cut_off_angle()), slot(light.beam_width()),
+       slot(light.shadow_intensity()));
 }
 
 void dump_bindings(Text& text, const flatbuffers::Vector<const PackedBinding*>& bindings, const PackedProgram& program) {

@@ -219,6 +219,7 @@ struct SceneShadowMap {
   std::uint32_t scale = kSceneNoSlot, bias = kSceneNoSlot, near = kSceneNoSlot, far = kSceneNoSlot, up = kSceneNoSlot;
   std::uint32_t angle = kSceneNoSlot, rectangle = kSceneNoSlot, location = kSceneNoSlot;
   bool author_visible = false;  ///< Not only the renderer's own code sees its depths or its projection.
+  bool other_light = false;     ///< Effects may bring light to what it shadows where its light's own colours are black.
   std::optional<ShadowChoice> choice;
 };
 

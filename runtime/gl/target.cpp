@@ -80,6 +80,12 @@ GLsizei max_target_side(const Functions& gl) {
   return std::min(texture, renderbuffer);
 }
 
+GLsizei max_cube_map_side(const Functions& gl) {
+  GLint texture = 0;
+  gl.GetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &texture);
+  return std::min(texture, max_target_side(gl));
+}
+
 std::vector<std::uint8_t> read_rgba(const Functions& gl, GLsizei width, GLsizei height) {
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);

@@ -35,6 +35,8 @@ Framebuffer make_depth_target(const Functions& gl, const Texture& texture, GLenu
 Framebuffer make_float_target(const Functions& gl, const Texture& texture);
 
 GLsizei max_target_side(const Functions& gl);
+/// The same of a face of a cube map.
+GLsizei max_cube_map_side(const Functions& gl);
 
 /// RGBA, 8 bits, rows from the bottom up. The target must be bound.
 std::vector<std::uint8_t> read_rgba(const Functions& gl, GLsizei width, GLsizei height);

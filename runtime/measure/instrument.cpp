@@ -119,16 +119,14 @@ std::vector<LightSlots> separate_lights(PackedSceneT& scene) {
 /// Where a shadow falls does not depend on how dark it is; only a whole one is told from light everywhere.
 void darken_shadows(PackageT& package) {
   PackedSceneT& scene = *package.scenes[0];
-  const auto darken = [&](std::uint32_t program, const std::vector<PackedBinding>& bindings) {
+  const auto darken = [&](const std::vector<PackedBinding>& bindings) {
     for (const PackedBinding& binding : bindings) {
-      const std::string& uniform = package.programs[program]->uniforms[binding.uniform()]->name;
-      const bool is_intensity = binding.source() == PackedSource::slot && uniform.starts_with("castle_shadow_intensity_");
-      if (is_intensity) scene.slot_values[scene.slots[binding.a()].first()] = 1;
+      if (binding.source() == PackedSource::shadow_intensity) scene.slot_values[scene.slots[binding.a()].first()] = 1;
     }
   };
   for (const auto& shape : scene.shapes) {
-    darken(shape->program, shape->bindings);
-    for (const auto& variant : shape->variants) darken(variant->program, variant->bindings);
+    darken(shape->bindings);
+    for (const auto& variant : shape->variants) darken(variant->bindings);
   }
 }
 

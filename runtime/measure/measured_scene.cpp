@@ -61,7 +61,7 @@ JudgedView judge_view(Studio& studio, MeasuredScene& scene, const JudgedScene& j
   light_only(scene, map, 0);
   view.calibration.dark = studio.shoot(scene.loaded, without);
   const LoadedScene& loaded = scene.loaded;
-  view.light = light_source(*loaded.packed, loaded.packed->shadow_maps()->Get(map)->light(), loaded.slots, loaded.world);
+  view.light = light_source(*loaded.packed, *loaded.packed->shadow_maps()->Get(map), loaded.slots, loaded.world);
   view.truth = find_receivers(view.calibration.unshadowed, loaded, judged.surfaces, map, camera_of(loaded, frame));
   leave_out_unlit(view.truth, view.calibration);
   if (judged.tracer != nullptr)

@@ -40,8 +40,7 @@ TruthPicture find_receivers(const Shot& shot, const LoadedScene& scene, const st
                             const View& camera) {
   TruthPicture picture{shot.width, shot.height, std::vector<TruthPixel>(shot.triangles.size()), 0, 0};
   const CameraRays rays(camera, shot.width, shot.height);
-  const LightSource light =
-      light_source(*scene.packed, scene.packed->shadow_maps()->Get(map)->light(), scene.slots, scene.world);
+  const LightSource light = light_source(*scene.packed, *scene.packed->shadow_maps()->Get(map), scene.slots, scene.world);
   std::map<std::uint32_t, PlacedSurface> placed;
   for (const Surface& surface : surfaces) {
     const PackedShape& shape = scene.shape(surface.shape);

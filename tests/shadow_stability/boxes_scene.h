@@ -14,6 +14,10 @@ inline const char* const kSpot =
     "1 0 0 "
     "shadows TRUE defaultShadowMap DEF Map GeneratedShadowMap { update \"ALWAYS\" size 512 } }";
 
+inline const char* const kBulb =
+    "DEF Lamp PointLight { location 1 4 3 intensity 0.8 radius 1e7 attenuation 1 0 0 "
+    "shadows TRUE defaultShadowMap DEF Map GeneratedShadowMap { update \"ALWAYS\" size 256 } }";
+
 inline std::string box(const std::string& name, const std::string& place, const std::string& size) {
   return "DEF " + name + " Transform { " + place + " children Shape { appearance USE Grey geometry Box { size " + size +
          " } } }\n";

@@ -1,5 +1,6 @@
 // Inputs that leave nothing to compute with: the picture is defined, every number in it is finite, OpenGL has no complaint.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +11,11 @@
 
 namespace plugc {
 namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
 
 constexpr std::uint32_t kSide = 32;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -24,6 +30,12 @@ void expect_defined(Stage& stage, const std::string& what) {
     }
   }
   EXPECT_EQ(stage.draw().values, picture.values) << what << ": the next frame is another";
+}
+
+/// The light with that map; `method` empty: the default one.
+std::string with_map(std::string light, const std::string& size, const std::string& method) {
+  const std::string fields = "size " + size + (method.empty() ? " " : " method \"" + method + "\" ");
+  return light.replace(light.find("size "), light.find('}') - light.find("size "), fields);
 }
 
 std::string shape(const std::string& geometry) {
@@ -69,6 +81,33 @@ TEST_P(Degenerate, Scenes) {
   }
 }
 
+std::vector<double> values_of(const Stage& stage, std::string_view field) {
+  for (const PackedSlotName* slot : *stage.scene().slot_names()) {
+    if (slot->name()->string_view() != field) continue;
+    const auto values = stage.slots().values(slot->slot());
+    return {values.begin(), values.end()};
+  }
+  return {};
+}
+
+/// Each component of each field in turn, and all of a field together, become numbers that nobody can mean.
+void expect_defined_with_odd_numbers(Stage& stage, const std::vector<std::string>& fields) {
+  const double odd[] = {0, -1, 1e-7, 1e-38, 1e30, -1e30, 1e300, kInfinity, -kInfinity, kNan};
+  for (const std::string& field : fields) {
+    const std::vector<double> before = values_of(stage, field);
+    for (const double value : odd) {
+      for (std::size_t i = 0; i <= before.size(); ++i) {
+        std::vector<double> changed = before;
+        if (i < before.size()) changed[i] = value;
+        if (i == before.size()) changed.assign(before.size(), value);
+        stage.set(field, changed);
+        expect_defined(stage, field + " component " + std::to_string(i) + " is " + std::to_string(value));
+      }
+    }
+    stage.set(field, before);
+  }
+}
+
 TEST_P(Degenerate, Numbers) {
   const bool sun = GetParam() == kSun;
   std::vector<std::string> fields = {"Lamp.direction",    "Lamp.projectionNear", "Lamp.projectionFar", "Lamp.up",
@@ -82,26 +121,15 @@ TEST_P(Degenerate, Numbers) {
     if (!sun) fields.emplace_back(field);
   }
   Stage stage(boxes_scene(GetParam()), fields, kSide, true);
-  const double odd[] = {0, -1, 1e-7, 1e-38, 1e30, -1e30, 1e300, kInfinity, -kInfinity, kNan};
-  for (const std::string& field : fields) {
-    std::vector<double> before;
-    for (const PackedSlotName* slot : *stage.scene().slot_names()) {
-      if (slot->name()->string_view() == field) {
-        const auto values = stage.slots().values(slot->slot());
-        before.assign(values.begin(), values.end());
-      }
-    }
-    for (const double value : odd) {
-      for (std::size_t i = 0; i <= before.size(); ++i) {  // each component, then all of them
-        std::vector<double> changed = before;
-        if (i < before.size()) changed[i] = value;
-        if (i == before.size()) changed.assign(before.size(), value);
-        stage.set(field, changed);
-        expect_defined(stage, field + " component " + std::to_string(i) + " is " + std::to_string(value));
-      }
-    }
-    stage.set(field, before);
-  }
+  expect_defined_with_odd_numbers(stage, fields);
+}
+
+TEST(ShadowStability, NumbersOfAPointLight) {
+  const std::vector<std::string> fields = {"Lamp.location", "Lamp.projectionNear",  "Lamp.projectionFar",
+                                           "Lamp.radius",   "Lamp.shadowIntensity", "Map.scale",
+                                           "Map.bias"};
+  Stage stage(boxes_scene(kBulb), fields, kSide, true);
+  expect_defined_with_odd_numbers(stage, fields);
 }
 
 TEST_P(Degenerate, UpParallelToTheDirection) {
@@ -129,11 +157,55 @@ TEST_P(Degenerate, FarBeforeNearIsComputedInstead) {
 
 TEST_P(Degenerate, MapSizes) {
   for (const char* const size : {"1", "17", "31", "32", "33", "100"}) {
-    std::string light = GetParam();
-    light.replace(light.find("size "), light.find('}') - light.find("size "), std::string("size ") + size + " ");
-    Stage stage(boxes_scene(light), {}, kSide, true);
+    Stage stage(boxes_scene(with_map(GetParam(), size, "")), {}, kSide, true);
     expect_defined(stage, size);
+    EXPECT_THAT(stage.said(), IsEmpty()) << size;
   }
+}
+
+class MapSize : public testing::TestWithParam<std::pair<const char*, const char*>> {};  // light, method
+INSTANTIATE_TEST_SUITE_P(ShadowStability, MapSize,
+                         testing::Values(std::pair(kSun, "BILINEAR"), std::pair(kSun, "HARD"), std::pair(kSun, "PCF3"),
+                                         std::pair(kSun, "VSM"), std::pair(kSpot, "EVSM"), std::pair(kSpot, "MSM"),
+                                         std::pair(kBulb, "BILINEAR"), std::pair(kBulb, "PCF3")),
+                         [](const auto& one) { return std::to_string(one.index) + "_" + one.param.second; });
+
+TEST_P(MapSize, OneAndSeventeenAreDrawnWithoutAWord) {
+  const auto& [light, method] = GetParam();
+  for (const char* const size : {"1", "17"}) {
+    Stage stage(boxes_scene(with_map(light, size, method)), {}, kSide, true);
+    expect_defined(stage, size);
+    EXPECT_THAT(stage.said(), IsEmpty()) << size;
+  }
+}
+
+TEST_P(MapSize, ZeroIsToldAndOneTexelDrawn) {
+  const auto& [light, method] = GetParam();
+  Stage stage(boxes_scene(with_map(light, "0", method)), {}, kSide, true);
+  EXPECT_EQ(stage.scene().shadow_maps()->Get(0)->size(), 1U);
+  expect_defined(stage, "size 0");
+  EXPECT_THAT(stage.said(), ElementsAre(HasSubstr("field-range `size` of `GeneratedShadowMap` is 0, but should be >0")));
+}
+
+TEST_P(MapSize, AboveWhatOpenGlCanIsCutAndTold) {
+  const auto& [light, method] = GetParam();
+  const SmallTextures limit(64, 48);
+  const bool cube = light == kBulb;
+  Stage cut(boxes_scene(with_map(light, "100", method)), {}, kSide, true);
+  Stage meant(boxes_scene(with_map(light, cube ? "48" : "64", method)), {}, kSide, true);
+  expect_defined(cut, "size 100");
+  EXPECT_THAT(cut.said(), ElementsAre(HasSubstr(std::string("cannot have the size 100: it gets ") + (cube ? "48" : "64"))));
+  EXPECT_EQ(cut.draw().values, meant.draw().values);
+  EXPECT_THAT(meant.said(), IsEmpty());
+}
+
+TEST_P(MapSize, AboveEveryLimitIsCutByTheCompilerAndTold) {
+  const auto& [light, method] = GetParam();
+  const Compiled compiled = compile_text(boxes_scene(with_map(light, "100000", method)));
+  const std::uint32_t size = compiled.package->scenes()->Get(0)->shadow_maps()->Get(0)->size();
+  const bool moments = std::string_view(method).ends_with("SM");
+  EXPECT_EQ(size, moments ? 4096U : 8192U);
+  EXPECT_THAT(compiled.messages(), Contains(HasSubstr("field-range a shadow map of size 100000 cannot be; 8192 is used")));
 }
 
 TEST_P(Degenerate, EffectsThatMakeNoNumbers) {

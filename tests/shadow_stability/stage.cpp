@@ -118,6 +118,34 @@ TruthPixel judge_point(const std::vector<Triangle>& triangles, const Hit& hit, c
 
 }  // namespace
 
+namespace {
+
+/// What SmallTextures says; one at a time.
+struct Limits {
+  int side = 0;
+  int cube_side = 0;
+  decltype(gl::Functions::GetIntegerv) real = nullptr;
+};
+Limits limits;
+
+void APIENTRY get_limited(GLenum name, GLint* value) {
+  limits.real(name, value);
+  if (name == GL_MAX_TEXTURE_SIZE) *value = limits.side;
+  if (name == GL_MAX_CUBE_MAP_TEXTURE_SIZE) *value = limits.cube_side;
+}
+
+}  // namespace
+
+SmallTextures::SmallTextures(int side, int cube_side) {
+  gl::Functions& gl = device().gl;
+  limits = {side, cube_side, gl.GetIntegerv};
+  gl.GetIntegerv = get_limited;
+}
+
+SmallTextures::~SmallTextures() {
+  device().gl.GetIntegerv = limits.real;
+}
+
 struct Stage::Drawn {
   LoadedScene scene;
   Messages messages;
@@ -137,7 +165,8 @@ Stage::Stage(Compiled compiled) : compiled_(std::move(compiled)) {
 }
 
 void Stage::load() {
-  EXPECT_TRUE(odd_ || compiled_.messages().empty()) << compiled_.messages()[0];
+  said_ = compiled_.messages();
+  EXPECT_TRUE(odd_ || said_.empty()) << said_[0];
   drawn_ = std::make_unique<Drawn>();
   drawn_->scene = load_scene(device().gl, *compiled_.package, *compiled_.package->scenes()->Get(0), drawn_->messages);
 }
@@ -178,7 +207,10 @@ FloatPicture Stage::draw(bool shadows) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
   gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, picture.values.data());
   for (const std::string& error : gl::take_errors(gl)) ADD_FAILURE() << "OpenGL error " << error;
-  for (const std::string& message : drawn_->messages.list()) EXPECT_TRUE(odd_) << message;
+  for (const std::string& message : drawn_->messages.list()) {
+    EXPECT_TRUE(odd_) << message;
+    said_.push_back(message);
+  }
   drawn_->messages = {};
   return picture;
 }

@@ -52,6 +52,8 @@ class Stage {
   void look_through(std::string viewpoint) { frame_.viewpoint = std::move(viewpoint); }
 
   FloatPicture draw(bool shadows = true);
+  /// What compiler and renderer said until the last picture was there.
+  const std::vector<std::string>& said() const { return said_; }
   const FrameStatistics& statistics() const { return statistics_; }
   const PackedScene& scene() const;
   const Package& package() const { return *compiled_.package; }
@@ -72,8 +74,19 @@ class Stage {
   bool odd_ = false;
   FrameOptions frame_;
   FrameStatistics statistics_;
+  std::vector<std::string> said_;
   struct Drawn;
   std::unique_ptr<Drawn> drawn_;
+};
+
+/// As long as it lives, OpenGL says that textures have at most that many texels a side: both limits, of textures and of cube
+/// maps' faces.
+class SmallTextures {
+ public:
+  SmallTextures(int side, int cube_side);
+  ~SmallTextures();
+  SmallTextures(const SmallTextures&) = delete;
+  SmallTextures& operator=(const SmallTextures&) = delete;
 };
 
 /// The share of pixels that count in both whose truth differs, in percent.

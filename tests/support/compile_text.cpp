@@ -101,8 +101,9 @@ Compiled compile_file(const fs::path& scene, CompileOptions options) {
   Compiled compiled;
   compiled.sources = std::make_unique<SourceSet>();
   compiled.diagnostics = std::make_unique<Diagnostics>(*compiled.sources);
-  const Compilation made = compile({scene}, options, process_validator(), *compiled.sources, *compiled.diagnostics);
+  Compilation made = compile({scene}, options, process_validator(), *compiled.sources, *compiled.diagnostics);
   compiled.statistics = made.statistics;
+  compiled.costs = std::move(made.costs);
   compiled.bytes = write_package(made.package);
   const PackageView view = open_package(compiled.bytes);
   EXPECT_EQ(view.error, "");

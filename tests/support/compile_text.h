@@ -35,6 +35,7 @@ struct Compiled {
   std::vector<std::uint8_t> bytes;
   const Package* package = nullptr;  ///< A view of `bytes`.
   CompileStatistics statistics;
+  std::vector<ProgramCosts> costs;  ///< By program, with CompileOptions::measure.
 
   /// `line:column code message`, in order of place; a file other than the scene goes in front (`noise.glsl:3:1 ...`).
   std::vector<std::string> messages() const;
