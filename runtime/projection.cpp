@@ -153,6 +153,15 @@ void check_rectangle(LightFrame& frame, const PackedLight& light, Messages& mess
 
 }  // namespace
 
+double look_up_reach(PackedShadowMethod method) {
+  switch (method) {
+    case PackedShadowMethod::pcf4:
+    case PackedShadowMethod::pcf4_taps:
+    case PackedShadowMethod::poisson: return 2.5;  // 1.5 to the outer look-ups, and theirs
+    default: return 2;                             // pcf3 and sharp3: 1 and theirs; moments: 1 by the blur and 1 by the look-up
+  }
+}
+
 LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, const Slots& slots, const World& world,
                        Messages& messages) {
   const PackedLight& light = *scene.lights()->Get(map.light());
@@ -161,6 +170,7 @@ LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, con
   LightFrame frame;
   frame.kind = light.kind();
   frame.map_size = map.size();
+  frame.reach = look_up_reach(map.method());
   frame.unit = longer;
   frame.direction = glm::dmat3(place) * slots.vector3(light.direction(), {0, 0, -1});
   const glm::dvec3 up = slots.vector3(map.up(), glm::dvec3(0));

@@ -28,6 +28,7 @@ struct LightFrame {
   double radius = -1;          ///< Spot and point: how far the light reaches; negative: for ever.
   glm::dvec4 rectangle{0};     ///< Directional: left bottom right top.
   std::uint32_t map_size = 1;  ///< Texels along a side: how wide a margin of one texel is.
+  double reach = 2;            ///< Texels from a place to the farthest that its look-up reads: the margin of a tight fit.
   double unit = 1;             ///< World length of a unit of the light's own space.
 
   bool operator==(const LightFrame&) const = default;
@@ -44,6 +45,11 @@ struct FitInput {
   std::vector<PlacedBox> receivers;
   const View* camera = nullptr;  ///< Of what receives, only what it shows counts (tight_fit.h); null: all of it.
 };
+
+/// Texels from a place to the middle of the farthest one that a method's look-up takes part of, blurred before or not: so far
+/// around a caster is a soft edge. At least 2: an author's own look-up reads some, too, and maps of narrow methods see the
+/// same.
+double look_up_reach(PackedShadowMethod method);
 
 /// Reads a light's slots. Wrong values (near < 0, far <= near, left >= right, bottom >= top) are reported and become zero.
 LightFrame light_frame(const PackedScene& scene, const PackedShadowMap& map, const Slots& slots, const World& world,

@@ -22,7 +22,6 @@
 namespace plugc {
 namespace {
 
-constexpr double kMarginTexels = 2;             // that a filter may read beyond what is shadowed
 constexpr std::uint32_t kCellsPerSide = 64;     // steps by which the window moves
 constexpr std::uint32_t kSmallestSnapped = 32;  // maps with fewer texels along a side could not spare any
 constexpr double kTexelSteps = 16;              // sizes of a texel from one to its double
@@ -215,14 +214,16 @@ double stepped_up(double length, double unit, double steps) {
   return unit * std::exp2(std::ceil(std::log2(length / unit) * steps) / steps);
 }
 
-/// An extent of `size` texels around what is needed, its texel from a geometric series and its low end on a grid.
-Interval in_steps(Interval needed, std::uint32_t size, double unit) {
+/// An extent of the map's texels around what is needed, its texel from a geometric series and its low end on a grid. Around
+/// what is needed is a margin as wide as look-ups reach: beyond the map all is lit.
+Interval in_steps(Interval needed, const LightFrame& light, double unit) {
+  const std::uint32_t size = light.map_size;
   needed = widened(needed, 0);
   if (size < kSmallestSnapped) return widened(needed, 1.0 / std::max(size, 16U));
   const double cell = std::max(size / kCellsPerSide, 1U);
-  const double usable = size - 2 * kMarginTexels - cell;
+  const double usable = size - 2 * light.reach - cell;
   const double texel = stepped_up((needed.high - needed.low) / usable, unit, kTexelSteps);
-  const double low = std::floor((needed.low / texel - kMarginTexels) / cell) * cell * texel;
+  const double low = std::floor((needed.low / texel - light.reach) / cell) * cell * texel;
   return {low, low + size * texel};
 }
 
@@ -235,8 +236,8 @@ bool holds(const Interval& range, const Interval& needed) {
   return range.low <= needed.low && needed.high <= range.high;
 }
 
-bool still_serves(const Interval& kept, const Interval& needed, const Interval& fresh, std::uint32_t size) {
-  const double margin = (kept.high - kept.low) / size * kMarginTexels;
+bool still_serves(const Interval& kept, const Interval& needed, const Interval& fresh, const LightFrame& light) {
+  const double margin = (kept.high - kept.low) / light.map_size * light.reach;
   return holds(kept, {needed.low - margin, needed.high + margin}) &&
          kept.high - kept.low <= (fresh.high - fresh.low) * kKeptSize;
 }
@@ -263,8 +264,8 @@ void choose(const LightSpace& space, const LightFrame& light, const Box& needed,
   const Interval x = {needed.min.x, needed.max.x};
   const Interval y = {needed.min.y, needed.max.y};
   const double unit = light.unit > kSmallestLength && light.unit < kLargestLength ? light.unit : 1;
-  const Interval fresh_x = in_steps(x, light.map_size, space.spot ? 1 : unit);
-  const Interval fresh_y = in_steps(y, light.map_size, space.spot ? 1 : unit);
+  const Interval fresh_x = in_steps(x, light, space.spot ? 1 : unit);
+  const Interval fresh_y = in_steps(y, light, space.spot ? 1 : unit);
   Interval depth = widened({needed.min.z, needed.max.z}, kDepthMargin);
   if (space.spot) depth.low = std::max(depth.low, depth.high * kNearestRatio);
   const Interval fresh_depth = space.spot ? Interval{unit * std::exp2(std::floor(std::log2(depth.low / unit))), depth.high}
@@ -276,8 +277,7 @@ void choose(const LightSpace& space, const LightFrame& light, const Box& needed,
                                          : holds(memory.depth, depth) && memory.depth.high - memory.depth.low <=
                                                                              (fresh_depth.high - fresh_depth.low) * kKeptDepth;
     const bool coarse_enough = coarseness <= memory.coarseness && memory.coarseness <= coarseness * kKeptDepth;
-    if (depth_serves && coarse_enough && still_serves(kept_x, x, fresh_x, light.map_size) &&
-        still_serves(kept_y, y, fresh_y, light.map_size))
+    if (depth_serves && coarse_enough && still_serves(kept_x, x, fresh_x, light) && still_serves(kept_y, y, fresh_y, light))
       return;
   }
   memory = {light, {fresh_x.low, fresh_y.low, fresh_x.high, fresh_y.high}, fresh_depth, coarseness, true};

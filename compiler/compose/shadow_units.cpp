@@ -62,6 +62,7 @@ std::vector<ShadowUnit> flat_units(const LightRecipe& light, Target target) {
   std::vector<ShadowUnit> units;
   units.push_back({"shadows/coord.glsl", light.kind == LightKind::spot ? Features{"PERSPECTIVE"} : Features{}});
   for (ShadowUnit& unit : kernel_units(light.shadow_method, target)) units.push_back(std::move(unit));
+  if (keeps_moments(light.shadow_method)) units.push_back({"shadows/share.glsl", {}});
   if (light.shadow_method == ShadowMethod::evsm) units.push_back({"shadows/warp.glsl", {}});
   if (light.shadow_method == ShadowMethod::vsm || light.shadow_method == ShadowMethod::evsm)
     units.push_back({"shadows/chebyshev.glsl", {}});

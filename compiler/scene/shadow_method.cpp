@@ -23,9 +23,11 @@ constexpr auto kMethods = std::to_array<MethodInfo>({{"hard", 0},
                                                      {"sharp3", 1.5},
                                                      {"poisson", 3},
                                                      {"traced", 0},
-                                                     {"vsm", 1},
-                                                     {"evsm", 1},
-                                                     {"msm", 2}});
+                                                     {"vsm", 0},
+                                                     {"evsm", 0},
+                                                     {"msm", 0}});
+
+constexpr double kMomentSlopeScale = 0.5;
 
 constexpr auto make_names() {
   std::array<std::string_view, kMethods.size()> names{};
@@ -65,6 +67,7 @@ ShadowMethod method_for_cube(ShadowMethod method) {
 }
 
 double automatic_slope_scale(ShadowMethod method) {
+  if (keeps_moments(method)) return kMomentSlopeScale;
   return std::max(2.0, kMethods[static_cast<std::size_t>(method)].kernel + 1);
 }
 

@@ -49,8 +49,8 @@ ShadowMethod method_for_cube(ShadowMethod method);
 /// The nearest texel is half a texel away, so 1 would do; 2 leaves room for the rounding of depth.
 /// `poisson` (a disc of 1.5 texels around the place) counts as `pcf3`; `sharp3` as k = 1.5, as the corners of its kernel that
 /// then still lie in front are too little to reach the middle of its edge. Moments tell of a plane by themselves how its depths
-/// spread, so `vsm` and `evsm` need no more than the least; `msm` counts as 2, so that a plane lies behind 1.6 standard
-/// deviations of its own blurred depths, where the least share that four moments allow in front of it is nothing.
+/// spread, and every step back is light under what stands close to a surface: 0.5 puts a plane half of a standard deviation
+/// of its own blurred depths in front of their mean, where four moments allow it 0.93 of the light, and two all of it.
 double automatic_slope_scale(ShadowMethod method);
 /// glPolygonOffset's other number: steps of the depth format, for planes that face the light, whose depth is rounded too. The
 /// default of the field `bias`.

@@ -1,6 +1,11 @@
 // How far a wrong pixel is from the true edge is found with rays, too: they leave the pixel's plane at points around it, one
-// texel away in the map, then four. Where one of them says something else than the pixel's own ray, the edge is nearer than
-// that.
+// texel away in the map, then up to four. Where one of them says something else than the pixel's own ray, the edge is nearer
+// than that.
+//
+// A plane ends. Where the surface bends towards the light, what lies a texel away is in front of the pixel's plane, whose
+// points are in the dark below it. So shadow counts as whole only where points beside the pixel as deep as itself are dark as
+// well: a map compares with that depth, too. By the planes alone, a map of nearest texels would let light into whole shadow of
+// bent surfaces.
 
 #include "runtime/measure/compare.h"
 
@@ -10,15 +15,28 @@
 namespace plugc {
 namespace {
 
-constexpr int kDirections = 8;
+constexpr int kDirections = 8;  // turned by half of a step between one distance and the next
+
+constexpr TriangleId kNoTriangle{~0U, ~0U};
+
+bool says(const Tracer& tracer, const glm::dvec3& point, const TriangleId& from, const LightSource& light, bool lit) {
+  return std::isfinite(point.x + point.y + point.z) && tracer.shadowed(point, from, light) != lit;
+}
+
+/// The point that lies that many texels away in the map, and as deep as the pixel's.
+glm::dvec3 moved_across(const MapProjection& map, const TruthPixel& pixel, const glm::dvec2& texels, const LightSource& light) {
+  TruthPixel facing = pixel;
+  facing.normal = towards_light(light, pixel.point);
+  return moved_in_map(map, facing, texels);
+}
 
 bool changes_within(const TruthPixel& pixel, double texels, const MapProjection& map, const Tracer& tracer,
                     const LightSource& light) {
   for (int i = 0; i < kDirections; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kDirections;
-    const glm::dvec3 point = moved_in_map(map, pixel, texels * glm::dvec2(std::cos(angle), std::sin(angle)));
-    const bool usable = std::isfinite(point.x + point.y + point.z);
-    if (usable && tracer.shadowed(point, pixel.triangle, light) == pixel.lit) return true;
+    const double angle = 2 * std::numbers::pi * (i + texels / 2) / kDirections;
+    const glm::dvec2 way = texels * glm::dvec2(std::cos(angle), std::sin(angle));
+    if (says(tracer, moved_in_map(map, pixel, way), pixel.triangle, light, !pixel.lit)) return true;
+    if (!pixel.lit && says(tracer, moved_across(map, pixel, way, light), kNoTriangle, light, true)) return true;
   }
   return false;
 }

@@ -11,7 +11,6 @@ void main()
 {
   ivec2 place = ivec2(gl_FragCoord.xy);
   int last = textureSize(castle_shadow_unblurred, 0).y - 1;
-  castle_FragColor = 0.375 * moments_at(place) +
-                     0.25 * (moments_at(ivec2(place.x, max(place.y - 1, 0))) + moments_at(ivec2(place.x, min(place.y + 1, last)))) +
-                     0.0625 * (moments_at(ivec2(place.x, max(place.y - 2, 0))) + moments_at(ivec2(place.x, min(place.y + 2, last))));
+  castle_FragColor = 0.5 * moments_at(place) + 0.25 * (moments_at(ivec2(place.x, max(place.y - 1, 0))) +
+                                                      moments_at(ivec2(place.x, min(place.y + 1, last))));
 }

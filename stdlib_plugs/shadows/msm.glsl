@@ -4,15 +4,17 @@
 uniform sampler2D castle_shadow_moments_N;
 in float castle_shadow_depth_N;
 
-// So much of the moments of 0 and 1 in equal parts: else what rounding makes of one single depth would be no moments at all.
-const float moment_bias_N = 1e-5;
-// Shares of light below it count as none, the others are stretched over the whole range again.
-const float bleeding_N = 0.05;
+// So much of the moments of 0, and of -1 and 1 half as often: what rounding makes of one single depth would be no moments at all.
+// These three stay apart wherever that depth lies; were they 0 and 1 alone, a depth near one of the ends would be lost in the
+// rounding, and all behind it lit. It must be little, as it is a veil in front of everything.
+const float moment_bias_N = 3e-6;
+// Four moments allow less that is not there than variance does.
+const float dark_share_N = 0.25;
 
-// The share of light that passes.
-float lit_share_N(const in vec4 moments, const in float depth)
+// The share of light that passes. Depths run from -1 to 1 here: their powers are rounded less than those of 0 to 1 are.
+float allowed_share_N(const in vec4 moments, const in float depth)
 {
-  vec4 b = mix(moments, vec4(0.5), moment_bias_N);
+  vec4 b = mix(moments, vec4(0.0, 0.5, 0.0, 0.5), moment_bias_N);
   // The matrix of rows 1 b.x b.y, b.x b.y b.z, b.y b.z b.w is L D L^T; solved for 1, depth, depth^2.
   float d1 = b.y - b.x * b.x;
   float below = b.z - b.x * b.y;
@@ -36,7 +38,8 @@ float lit_share_N(const in vec4 moments, const in float depth)
 void PLUG_light_scale(inout float light_scale, const in vec3 normal_eye, const in vec3 light_dir)
 {
   vec2 place = shadow_coord_N().st;
-  float share = lit_share_N(textureLod(castle_shadow_moments_N, place, 0.0), clamp(castle_shadow_depth_N, 0.0, 1.0));
-  share = share < 1.0 ? max((share - bleeding_N) / (1.0 - bleeding_N), 0.0) : 1.0; // lit too where there is no number
-  light_scale *= place == clamp(place, 0.0, 1.0) ? share : 1.0; // outside of the map all is lit
+  float depth = clamp(2.0 * castle_shadow_depth_N - 1.0, -1.0, 1.0);
+  float share = allowed_share_N(textureLod(castle_shadow_moments_N, place, 0.0), depth);
+  float light = light_of_share_N(share, dark_share_N);
+  light_scale *= place == clamp(place, 0.0, 1.0) ? light : 1.0; // outside of the map all is lit
 }

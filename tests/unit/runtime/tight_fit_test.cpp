@@ -217,6 +217,22 @@ TEST(TightFit, NeedsNoMoreOfTheMapThanItsStepsCost) {
   }
 }
 
+TEST(TightFit, LeavesRoomForLookUpsAroundWhatCasts) {
+  for (const PackedShadowMethod method : {PackedShadowMethod::bilinear, PackedShadowMethod::pcf4, PackedShadowMethod::msm}) {
+    LightFrame light = sun();
+    light.reach = look_up_reach(method);
+    for (double size = 1; size < 3; size *= 1.0013) {
+      const FitInput input = {{box({-size, 0, -1}, {size, 5, 1})}, {box({-100, 0, -100}, {100, 0, 100})}};
+      const View view = fit(light, input).view;
+      const double low = in_texture(view, {-size, 0, 0}).x * light.map_size;
+      const double high = in_texture(view, {size, 0, 0}).x * light.map_size;
+      EXPECT_GE(std::min(low, high), light.reach) << size;
+      EXPECT_LE(std::max(low, high), light.map_size - light.reach) << size;
+    }
+  }
+  EXPECT_EQ(look_up_reach(PackedShadowMethod::pcf4), 2.5);
+}
+
 TEST(TightFit, IsFiniteForDegenerateScenes) {
   const PlacedBox unknown = {{glm::dvec3(-1), glm::dvec3(1)}, glm::dmat4(1.0), false};
   std::vector<FitInput> inputs = test::degenerate_fit_inputs();

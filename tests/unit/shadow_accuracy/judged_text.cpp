@@ -1,5 +1,7 @@
 #include "judged_text.h"
 
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -28,6 +30,11 @@ std::string boxes() {
   return box({-2.2, 0.8, 0.5}, {1.2, 1.6, 1.2}, 0.3) + box({0.4, 0.5, -1.2}, {1.6, 1.0, 0.8}, 0.45) +
          box({2.6, 1.2, 0.2}, {0.9, 2.4, 0.9}, 0.1) + box({0.9, 0.4, 2.4}, {0.8, 0.8, 0.8}, 0.2) +
          box({-1.3, 0.35, 3.1}, {1.0, 0.7, 0.5}, 0.55);
+}
+
+/// Above a place given in steps of the grid.
+double hill_height(double x, double z) {
+  return 0.55 * std::sin(0.5 * x) * std::sin(0.4 * z + 1) + 0.12 * std::sin(1.3 * x + 0.9 * z);
 }
 
 }  // namespace
@@ -82,6 +89,48 @@ std::string stairs_and_slabs() {
 
 std::string boxes_under_a_spotlight() {
   return head("SpotLight { location 3 8 4 direction -0.36 -1 -0.44 cutOffAngle 0.7 beamWidth 0.6 shadows TRUE }") + boxes();
+}
+
+std::string ledges_on_a_wall() {
+  std::string scene = head("DirectionalLight { direction 0.5 -1 -0.62 shadows TRUE }") + box({0, 2, -2}, {9, 4, 0.4}, 0);
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 8; ++column)
+      scene += box({-3.85 + 1.1 * column, 0.6 + 0.9 * row, -1.77}, {0.75, 0.07, 0.12}, 0);
+  }
+  return scene;
+}
+
+std::string low_slabs_below_a_tower() {
+  std::string scene =
+      head("DirectionalLight { direction -0.6 -1 -0.35 shadows TRUE }") + box({3.2, 7, -1}, {1.2, 14, 1.2}, 0.2);
+  for (int slab = 0; slab < 4; ++slab)
+    scene += box({-2.4 + 1.5 * slab, 0.3 + 0.15 * slab, 1.2 - 0.5 * slab}, {2.2, 0.06, 1.6}, 0.1 * slab);
+  for (int bar = 0; bar < 3; ++bar) scene += box({-1 + 1.3 * bar, 2.5 + bar, 0.8}, {0.25, 0.25, 5}, 0.3);
+  return scene;
+}
+
+std::string cones_on_hills() {
+  constexpr int kSide = 60;
+  constexpr int kCones = 400;
+  std::string heights;
+  for (int z = 0; z < kSide; ++z) {
+    for (int x = 0; x < kSide; ++x) heights += fmt::format("{:.4f} ", hill_height(x, z));
+  }
+  std::string cones;
+  for (int i = 0; i < kCones; ++i) {
+    const double x = (kSide - 1) * std::fmod(i * std::numbers::phi, 1.0);
+    const double z = (kSide - 1) * double(i) / kCones;
+    cones += fmt::format(
+        "Transform {{ translation {:.4f} {:.4f} {:.4f} children Shape {{ appearance Appearance {{ material Material {{ }} }} "
+        "geometry Cone {{ bottomRadius 0.08 height 0.3 }} }} }}\n",
+        0.2 * x, hill_height(x, z) + 0.15, 0.2 * z);
+  }
+  return fmt::format(
+      "#X3D V4.0 utf8\nNavigationInfo {{ headlight FALSE }}\nViewpoint {{ position 0 6.5 8 orientation 1 0 0 -0.66 }}\n"
+      "DirectionalLight {{ direction -0.95 -0.45 -0.3 shadows TRUE }}\n"
+      "Transform {{ translation -6 0 -6 children [ Shape {{ appearance Appearance {{ material Material {{ }} }} geometry "
+      "ElevationGrid {{ xDimension {0} zDimension {0} xSpacing 0.2 zSpacing 0.2 height [ {1}] }} }}\n{2}] }}\n",
+      kSide, heights, cones);
 }
 
 }  // namespace plugc

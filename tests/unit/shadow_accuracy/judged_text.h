@@ -34,5 +34,11 @@ MeanErrors errors_of(const JudgedText& judged, const std::vector<std::uint8_t>& 
 std::string boxes_in_the_sun();
 std::string stairs_and_slabs();
 std::string boxes_under_a_spotlight();
+/// A wall with ledges that stand out by a few texels of 1024.
+std::string ledges_on_a_wall();
+/// A tall tower and bars above slabs that lie close to the ground: edges over casters at the far end of a long range of depths.
+std::string low_slabs_below_a_tower();
+/// Surfaces that bend everywhere, in low light.
+std::string cones_on_hills();
 
 }  // namespace plugc
