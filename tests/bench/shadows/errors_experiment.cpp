@@ -1,5 +1,6 @@
 // The truth of a scene is traced once. Then each method is compiled and each size drawn, and every picture compared with it.
 
+#include <algorithm>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -17,6 +18,13 @@ namespace fs = std::filesystem;
 int shift_count(const Lab& lab, std::uint32_t size) {
   if (lab.quick || size == 0) return 1;
   return size <= 1024 ? 4 : 1;
+}
+
+/// A point light has not every method: others are replaced, and the scene then says nothing about them.
+bool uses(const PackedScene& scene, const std::string& method) {
+  return std::ranges::any_of(*scene.shadow_maps(), [&](const PackedShadowMap* map) {
+    return EnumNamePackedShadowMethod(map->method()) == method;
+  });
 }
 
 class ErrorTable {
@@ -47,6 +55,7 @@ class ErrorTable {
     if (bytes.empty()) return;
     for (const std::uint32_t size : map_sizes(lab_, method)) {
       const auto loaded = load_measured_scene(lab_.studio, bytes, sized(size));
+      if (!uses(*loaded->loaded.packed, method)) return;
       for (const JudgedView& view : judged.views) {
         const MeanErrors mean = measure_errors(lab_.studio, *loaded, judged, view, shift_count(lab_, size));
         const double leak = method.ends_with("sm") ? measure_leak(lab_.studio, *loaded, judged, view) : 0;  // of moment maps
