@@ -41,8 +41,10 @@ struct Viewer {
   bool operator==(const Viewer&) const = default;
 };
 
-/// Without a viewer, Billboards stay as they are written.
-World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer = nullptr);
+/// Without a viewer, Billboards stay as they are written. Visible is what stands in the scene that rendered texture
+/// `own_scene_of` has of its own, or in the world (-1).
+World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer = nullptr,
+            std::int32_t own_scene_of = -1);
 
 /// Whether the light is on, and in no branch that a Switch has not chosen.
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world);
@@ -84,6 +86,9 @@ std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted
 /// height.
 View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
                  Messages& messages);
+
+/// From in front of all that is visible, as where a scene has no viewpoint.
+View view_of_world(const World& world, double aspect);
 
 /// True when the box lies wholly on the outer side of the left, right, lower or upper plane of the clip space.
 bool outside_sideways(const Box& box, const glm::dmat4& to_clip);

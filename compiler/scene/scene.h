@@ -105,6 +105,7 @@ struct SceneTexture {
   bool moments = false;                          ///< Of the same: the moments of depth, as a picture.
   DepthCompare compare = DepthCompare::less_equal;
   std::vector<int> effects;
+  int rendered = -1;  ///< Into rendered_textures: the renderer draws it.
 };
 
 /// Texture coordinates of one unit: X3D 4.1 clauses 18.4.8 and 33.4. Slots; `matrix` stands for all others.
@@ -292,6 +293,7 @@ struct SceneShape {
   bool has_blend_mode = false;
   SceneBlend blend;
   std::optional<Box> bounds;  ///< bboxSize and bboxCenter, where they are written.
+  int own_scene_of = -1;      ///< It stands in the scene that this rendered texture has of its own; -1: in the world.
 };
 
 struct SceneViewpoint {
@@ -306,6 +308,31 @@ struct SceneViewpoint {
 struct SceneProjector {
   SceneViewpoint viewpoint;
   int shadow_map = -1;  ///< Of a light: the map whose projection it is; such a map may have no texels (update none).
+};
+
+/// What a rendered texture holds: colours, the depths of a view as grey, or what is seen all around a shape.
+enum class RenderedKind : std::uint8_t { color, depth, cube };
+
+/// A RenderedTexture or GeneratedCubeMapTexture; fields as PackedRenderedTexture has them.
+struct SceneRenderedTexture {
+  NodeId node;
+  RenderedKind kind = RenderedKind::color;
+  std::uint32_t width = 128, height = 128;
+  ShadowUpdate update = ShadowUpdate::none;
+  int viewpoint = -1;  ///< Into projectors.
+  bool own_scene = false;
+  std::uint32_t background_color = kSceneNoSlot;
+  std::vector<std::uint32_t> rendering_slots;  ///< That ROUTEs from its `rendering` write.
+};
+
+/// A ScreenEffect with the shader that it uses.
+struct SceneScreenEffect {
+  NodeId node;
+  std::string label;
+  int shader = -1;                       ///< Into shaders.
+  std::uint32_t enabled = kSceneNoSlot;  ///< As of an effect.
+  bool needs_depth = false;
+  int transform = -1;  ///< It acts while no Switch above has chosen another child.
 };
 
 struct Scene {
@@ -323,7 +350,9 @@ struct Scene {
   std::vector<SceneShape> shapes;
   std::vector<SceneViewpoint> viewpoints;
   std::vector<SceneProjector> projectors;
-  std::vector<std::string> known_dynamic;  ///< Of SceneOptions::dynamic: what names a node of this scene.
+  std::vector<SceneRenderedTexture> rendered_textures;  ///< One that another's own scene shows comes before that other.
+  std::vector<SceneScreenEffect> screen_effects;        ///< In document order, in which they act.
+  std::vector<std::string> known_dynamic;               ///< Of SceneOptions::dynamic: what names a node of this scene.
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };
