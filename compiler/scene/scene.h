@@ -45,6 +45,9 @@ struct SceneTransform {
   std::uint32_t billboard_axis = kSceneNoSlot;  ///< With it: turned to the viewer about that axis (X3D 4.1, 23.4.1).
   std::uint32_t switch_slot = kSceneNoSlot;     ///< With it: drawn only while the slot equals `choice`.
   int choice = 0;
+  /// With it: drawn only while the eye is at least `lod_from` and less than `lod_to` away from that point (X3D 4.1, 23.4.3).
+  std::uint32_t lod_center = kSceneNoSlot;
+  double lod_from = 0, lod_to = 0;
 };
 
 /// Where an effect part is plugged; LIGHT means the stage that computes the shape's lighting.
@@ -106,6 +109,7 @@ struct SceneTexture {
   DepthCompare compare = DepthCompare::less_equal;
   std::vector<int> effects;
   int rendered = -1;  ///< Into rendered_textures: the renderer draws it.
+  std::string_view url_field = "url";  ///< Of the node: where its file is named. A Background has one for each side.
 };
 
 /// Texture coordinates of one unit: X3D 4.1 clauses 18.4.8 and 33.4. Slots; `matrix` stands for all others.
@@ -276,6 +280,10 @@ struct ReceivedShadow {
   DepthCompare compare = DepthCompare::less_equal;
 };
 
+/// What a shape is part of. The backdrop is all parts of the bound Background but `world`: the gradients of sky and ground, and
+/// the sides of a cube with a picture each, seen from within (X3D 4.1, 24.2.1).
+enum class ScenePart : std::uint8_t { world, gradient, back, bottom, front, left, right, top };
+
 struct SceneShape {
   std::string name;  ///< DEF of the shape or its geometry's type, for people.
   NodeId node, geometry;
@@ -294,6 +302,7 @@ struct SceneShape {
   SceneBlend blend;
   std::optional<Box> bounds;  ///< bboxSize and bboxCenter, where they are written.
   int own_scene_of = -1;      ///< It stands in the scene that this rendered texture has of its own; -1: in the world.
+  ScenePart part = ScenePart::world;  ///< Of the backdrop: `node` and `geometry` are the Background.
 };
 
 struct SceneViewpoint {
@@ -348,7 +357,8 @@ struct Scene {
   std::vector<SceneMaterial> materials;
   std::vector<SceneFog> fogs;
   std::vector<SceneShape> shapes;
-  std::vector<SceneViewpoint> viewpoints;
+  std::vector<SceneViewpoint> viewpoints;  ///< Those of Inlines too, which are not bound at the start (X3D 4.1, 7.2.2).
+  int bound_viewpoint = -1;                ///< At the start.
   std::vector<SceneProjector> projectors;
   std::vector<SceneRenderedTexture> rendered_textures;  ///< One that another's own scene shows comes before that other.
   std::vector<SceneScreenEffect> screen_effects;        ///< In document order, in which they act.
@@ -356,6 +366,9 @@ struct Scene {
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };
+
+/// Whether some shape stands in the world; a backdrop alone shows no effect.
+bool has_world_shapes(const Scene& scene);
 
 /// The shapes of a graph. With `all_branches` (lint), every child of a Switch and every disabled effect is taken too.
 struct SceneOptions {
