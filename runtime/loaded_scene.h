@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/event_graph.h"
 #include "runtime/events.h"
 #include "runtime/program_pool.h"
 #include "runtime/projected_coords.h"
@@ -32,6 +33,7 @@ struct LoadedScene {
   TracedShadows traced = {};
   std::vector<RenderedTexture> rendered_textures = {};
   ScreenTargets screen = {};
+  EventGraph events = {};
 
   std::uint32_t shape_count() const { return packed->shapes()->size(); }
   const PackedShape& shape(std::uint32_t index) const { return *packed->shapes()->Get(index); }

@@ -344,6 +344,40 @@ struct SceneScreenEffect {
   int transform = -1;  ///< It acts while no Switch above has chosen another child.
 };
 
+/// As PackedEventKind, where the slots of each kind are listed.
+enum class EventKind : std::uint8_t {
+  time_sensor,
+  proximity_sensor,
+  camera,
+  interpolate,
+  interpolate_color,
+  interpolate_normal,
+  interpolate_rotation,
+  spline,
+  squad,
+  ease,
+  sequence,
+  boolean_filter,
+  boolean_toggle,
+  boolean_trigger,
+  integer_trigger,
+  time_trigger
+};
+
+/// A node whose events reach something that is drawn.
+struct SceneEventNode {
+  EventKind kind = EventKind::time_sensor;
+  NodeId node;
+  std::vector<std::uint32_t> inputs, outputs;  ///< Slots; none where nothing of the scene is different from the default.
+  int subject = -1;                            ///< The transform of a proximity sensor, the viewpoint of a camera.
+};
+
+/// An event at the slot `from` is one at `to`.
+struct SceneRoute {
+  std::uint32_t from = kSceneNoSlot, to = kSceneNoSlot;
+  auto operator<=>(const SceneRoute&) const = default;
+};
+
 struct Scene {
   std::string name;
   std::vector<Slot> slots;
@@ -362,7 +396,9 @@ struct Scene {
   std::vector<SceneProjector> projectors;
   std::vector<SceneRenderedTexture> rendered_textures;  ///< One that another's own scene shows comes before that other.
   std::vector<SceneScreenEffect> screen_effects;        ///< In document order, in which they act.
-  std::vector<std::string> known_dynamic;               ///< Of SceneOptions::dynamic: what names a node of this scene.
+  std::vector<SceneEventNode> event_nodes;  ///< In the order in which they are evaluated.
+  std::vector<SceneRoute> routes;           ///< In order.
+  std::vector<std::string> known_dynamic;  ///< Of SceneOptions::dynamic: what names a node of this scene.
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };
