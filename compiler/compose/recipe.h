@@ -73,7 +73,14 @@ struct Recipe {
   std::vector<LightRecipe> lights;        ///< Number N of a light is its place here.
   std::vector<TextureRecipe> textures;    ///< Number N of a texture is its place here.
   std::vector<int> effects;               ///< Of the Appearance, then of the groups.
-  std::vector<int> guarded;  ///< Those, anywhere in the recipe, whose calls stand under a switch of the program. Sorted.
+  std::vector<int> guarded;       ///< Those, anywhere in the recipe, whose calls stand under a switch of the program. Sorted.
+  bool back_material = false;     ///< Back faces have a material of their own, with the same terms.
+  bool alpha_cutoff = false;      ///< The alpha test's bound may differ from 0.5.
+  std::uint32_t clip_planes = 0;  ///< How many.
+  bool point_size = false;
+  int line_type = 1;
+  bool filled = true;  ///< False: of faces nothing but hatches is drawn.
+  int hatch = 0;       ///< Style of the hatches; 0: none.
   auto operator<=>(const Recipe&) const = default;
 };
 

@@ -164,7 +164,9 @@ enum class CoordGenerator : std::uint8_t {
   sphere_reflect_local,
   world_space_normal,
   world_space_reflection,
-  projection
+  projection,
+  noise,
+  noise_eye
 };
 
 /// What a material does with a texture (X3D 4.1, 12.4). The main ones make the diffuse, base or emissive colour; each other
@@ -269,9 +271,31 @@ enum class BlendFactor : std::uint8_t {
 struct SceneBlend {
   BlendFactor source = BlendFactor::src_alpha;
   BlendFactor destination = BlendFactor::one_minus_src_alpha;
+  std::uint32_t color = kSceneNoSlot, transparency = kSceneNoSlot;  ///< What the `constant_` factors mean.
 };
 
 enum class Shading : std::uint8_t { phong, gouraud, wireframe };
+
+/// A half of space that is cut away: X3D 4.1, clause 11.4.1. Fields are slots.
+struct SceneClipPlane {
+  int transform = -1;
+  std::uint32_t plane = kSceneNoSlot, enabled = kSceneNoSlot;
+};
+
+/// What alpha means (X3D 4.1, 12.2.3, Appearance.alphaMode): `automatic` goes by the material and the textures.
+enum class AlphaMode : std::uint8_t { automatic, opaque, mask, blend };
+
+/// How lines, points and faces are drawn beside their colour: X3D 4.1, clauses 12.4.3, 12.4.4 and 12.4.9. Slots; none: the
+/// default.
+struct SceneStyle {
+  std::uint32_t line_width = kSceneNoSlot;  ///< Pixels.
+  int line_type = 1;                        ///< Solid; others are dashed (table 12.2).
+  /// Of PointProperties: what the size is, what it lies between, how it falls with the distance (vec3).
+  std::uint32_t point_size = kSceneNoSlot, point_least = kSceneNoSlot, point_most = kSceneNoSlot, point_falloff = kSceneNoSlot;
+  bool filled = true;
+  int hatch = 0;  ///< Style of the hatches (table 12.3); 0: none.
+  std::uint32_t hatch_color = kSceneNoSlot;
+};
 
 /// The shadow of a light as a shape shows it.
 struct ReceivedShadow {
@@ -288,7 +312,8 @@ struct SceneShape {
   std::string name;  ///< DEF of the shape or its geometry's type, for people.
   NodeId node, geometry;
   int transform = -1;
-  int material = -1;  ///< -1: unlit white.
+  int material = -1;       ///< -1: unlit white.
+  int back_material = -1;  ///< Of back faces; -1: the same.
   std::vector<TextureUse> textures;
   std::uint32_t multi_color = kSceneNoSlot, multi_alpha = kSceneNoSlot;  ///< Of its MultiTexture: the source FACTOR.
   std::vector<int> lights;                                               ///< In document order of the scene's light list.
@@ -303,6 +328,10 @@ struct SceneShape {
   std::optional<Box> bounds;  ///< bboxSize and bboxCenter, where they are written.
   int own_scene_of = -1;      ///< It stands in the scene that this rendered texture has of its own; -1: in the world.
   ScenePart part = ScenePart::world;  ///< Of the backdrop: `node` and `geometry` are the Background.
+  AlphaMode alpha_mode = AlphaMode::automatic;
+  std::uint32_t alpha_cutoff = kSceneNoSlot;
+  std::vector<int> clip_planes;  ///< From the outermost in.
+  SceneStyle style;
 };
 
 struct SceneViewpoint {
@@ -390,6 +419,7 @@ struct Scene {
   std::vector<SceneShadowMap> shadow_maps;
   std::vector<SceneMaterial> materials;
   std::vector<SceneFog> fogs;
+  std::vector<SceneClipPlane> clip_planes;
   std::vector<SceneShape> shapes;
   std::vector<SceneViewpoint> viewpoints;  ///< Those of Inlines too, which are not bound at the start (X3D 4.1, 7.2.2).
   int bound_viewpoint = -1;                ///< At the start.
