@@ -35,6 +35,7 @@ struct Mesh {
   std::vector<std::uint32_t> indices;  ///< Counter-clockwise triangles seen from the front.
   bool solid = true;                   ///< Back faces need not be drawn.
   bool ccw = true;                     ///< False: front faces are clockwise in `indices` (already as written).
+  friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
 /// The triangles of one geometry node; nullopt (with a diagnostic) where it has nothing to draw.
