@@ -33,7 +33,8 @@ struct World {
   PlacedTransform root_;
 };
 
-/// Whoever looks at a scene whose Billboards turn and whose LODs choose: where the eye is, what is up to it, and what is behind it.
+/// Whoever looks at a scene whose Billboards turn and whose LODs choose: where the eye is, what is up to it, and what is behind
+/// it.
 struct Viewer {
   glm::dvec3 eye{0};
   glm::dvec3 up{0, 1, 0};

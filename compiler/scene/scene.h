@@ -108,7 +108,7 @@ struct SceneTexture {
   bool moments = false;                          ///< Of the same: the moments of depth, as a picture.
   DepthCompare compare = DepthCompare::less_equal;
   std::vector<int> effects;
-  int rendered = -1;  ///< Into rendered_textures: the renderer draws it.
+  int rendered = -1;                   ///< Into rendered_textures: the renderer draws it.
   std::string_view url_field = "url";  ///< Of the node: where its file is named. A Background has one for each side.
 };
 
@@ -325,8 +325,8 @@ struct SceneShape {
   bool casts_shadow = true;
   bool has_blend_mode = false;
   SceneBlend blend;
-  std::optional<Box> bounds;  ///< bboxSize and bboxCenter, where they are written.
-  int own_scene_of = -1;      ///< It stands in the scene that this rendered texture has of its own; -1: in the world.
+  std::optional<Box> bounds;          ///< bboxSize and bboxCenter, where they are written.
+  int own_scene_of = -1;              ///< It stands in the scene that this rendered texture has of its own; -1: in the world.
   ScenePart part = ScenePart::world;  ///< Of the backdrop: `node` and `geometry` are the Background.
   AlphaMode alpha_mode = AlphaMode::automatic;
   std::uint32_t alpha_cutoff = kSceneNoSlot;
@@ -426,9 +426,9 @@ struct Scene {
   std::vector<SceneProjector> projectors;
   std::vector<SceneRenderedTexture> rendered_textures;  ///< One that another's own scene shows comes before that other.
   std::vector<SceneScreenEffect> screen_effects;        ///< In document order, in which they act.
-  std::vector<SceneEventNode> event_nodes;  ///< In the order in which they are evaluated.
-  std::vector<SceneRoute> routes;           ///< In order.
-  std::vector<std::string> known_dynamic;  ///< Of SceneOptions::dynamic: what names a node of this scene.
+  std::vector<SceneEventNode> event_nodes;              ///< In the order in which they are evaluated.
+  std::vector<SceneRoute> routes;                       ///< In order.
+  std::vector<std::string> known_dynamic;               ///< Of SceneOptions::dynamic: what names a node of this scene.
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };

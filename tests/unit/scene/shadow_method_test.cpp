@@ -19,10 +19,9 @@ TEST(ShadowMethods, AreReadByTheirNames) {
 
 TEST(ShadowMethods, AskForMoreBiasTheWiderTheirKernelAndMomentsForLess) {
   const std::pair<ShadowMethod, double> wanted[] = {
-      {ShadowMethod::hard, 2},  {ShadowMethod::bilinear, 2}, {ShadowMethod::pcf2, 3},
-      {ShadowMethod::pcf3, 4},  {ShadowMethod::pcf4, 5},     {ShadowMethod::pcf4_taps, 5},
-      {ShadowMethod::sharp3, 2.5},
-      {ShadowMethod::vsm, 0.5}, {ShadowMethod::evsm, 0.5},   {ShadowMethod::msm, 0.5}};
+      {ShadowMethod::hard, 2},   {ShadowMethod::bilinear, 2},  {ShadowMethod::pcf2, 3},     {ShadowMethod::pcf3, 4},
+      {ShadowMethod::pcf4, 5},   {ShadowMethod::pcf4_taps, 5}, {ShadowMethod::sharp3, 2.5}, {ShadowMethod::vsm, 0.5},
+      {ShadowMethod::evsm, 0.5}, {ShadowMethod::msm, 0.5}};
   for (const auto& [method, scale] : wanted) EXPECT_EQ(automatic_slope_scale(method), scale) << to_text(method);
 }
 
