@@ -159,14 +159,18 @@ std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted
   return wanted.empty() ? 0 : static_cast<std::int32_t>(named_viewpoint(scene, wanted).value_or(0));
 }
 
+View view_of_world(const World& world, double aspect) {
+  View view = view_of_whole(world.bounds);
+  view.projection = perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
+  return view;
+}
+
 View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
                  Messages& messages) {
   report_unknown_viewpoint(scene, wanted, messages);
   const std::int32_t bound = bound_viewpoint(scene, wanted);
   if (bound >= 0) return view_from(*scene.viewpoints()->Get(static_cast<std::uint32_t>(bound)), slots, world, aspect);
-  View view = view_of_whole(world.bounds);
-  view.projection = perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
-  return view;
+  return view_of_world(world, aspect);
 }
 
 }  // namespace plugc

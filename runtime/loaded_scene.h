@@ -5,10 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/event_graph.h"
 #include "runtime/events.h"
 #include "runtime/program_pool.h"
 #include "runtime/projected_coords.h"
+#include "runtime/rendered_texture.h"
 #include "runtime/resource_pool.h"
+#include "runtime/screen_targets.h"
 #include "runtime/shadow_map.h"
 #include "runtime/traced_shadows.h"
 #include "runtime/world.h"
@@ -26,7 +29,11 @@ struct LoadedScene {
   std::vector<ShadowMap> shadow_maps;
   std::map<std::uint32_t, ProjectedCoords> projected_coords = {};  ///< By shape.
   std::optional<Viewer> placed_for = {};                           ///< Whom Billboards are turned to.
+  std::int32_t placed_scene = -1;                                  ///< What is visible in `world`: see place().
   TracedShadows traced = {};
+  std::vector<RenderedTexture> rendered_textures = {};
+  ScreenTargets screen = {};
+  EventGraph events = {};
 
   std::uint32_t shape_count() const { return packed->shapes()->size(); }
   const PackedShape& shape(std::uint32_t index) const { return *packed->shapes()->Get(index); }

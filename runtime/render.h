@@ -24,6 +24,7 @@ struct FrameOptions {
   std::string viewpoint;      ///< DEF name, or an index from 0; empty: the first one, or a view of the whole scene.
   std::uint32_t samples = 1;  ///< Samples a pixel, 1 to 4: edges are smoothed with more than one.
   bool shadows = true;        ///< False: no depth pass, everything lit (for comparisons).
+  double time = 0;            ///< Seconds since the scene was loaded. Going back starts anew from there.
 };
 
 /// What a frame cost; counted, not timed.

@@ -93,7 +93,8 @@ const PlacedTransform& World::at(std::int32_t transform) const {
   return transform < 0 ? root_ : transforms[static_cast<std::size_t>(transform)];
 }
 
-World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer) {
+World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer,
+            std::int32_t own_scene_of) {
   World world;
   world.transforms.reserve(scene.transforms()->size());
   std::map<std::uint32_t, std::uint32_t> axes;  // of billboards, by transform
@@ -109,8 +110,9 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
   }
   for (const PackedShape* shape : *scene.shapes()) {
     const PlacedTransform& placed = world.at(shape->transform());
-    const Box own = placed.visible ? object_bounds(package, *shape) : Box{};
-    world.shape_visible.push_back(placed.visible);
+    const bool visible = placed.visible && shape->own_scene_of() == own_scene_of;
+    const Box own = visible ? object_bounds(package, *shape) : Box{};
+    world.shape_visible.push_back(visible);
     world.shape_variant.push_back(current_variant(*shape, scene, slots, world));
     world.shape_bounds.push_back(transformed(own, placed.matrix));
     world.bounds = join(world.bounds, world.shape_bounds.back());

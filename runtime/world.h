@@ -21,7 +21,7 @@ struct PlacedTransform {
 
 struct World {
   std::vector<PlacedTransform> transforms;
-  std::vector<Box> shape_bounds;  ///< World space; empty for a shape that is hidden or without vertices.
+  std::vector<Box> shape_bounds;  ///< World space; empty for a shape that is hidden, without vertices or of the backdrop.
   std::vector<bool> shape_visible;
   std::vector<std::uint8_t> shape_variant;  ///< Which of a shape's programs its switches ask for now.
   Box bounds;                               ///< Around all visible shapes.
@@ -33,7 +33,8 @@ struct World {
   PlacedTransform root_;
 };
 
-/// Whoever looks at a scene whose Billboards turn: where the eye is, what is up to it, and what is behind it.
+/// Whoever looks at a scene whose Billboards turn and whose LODs choose: where the eye is, what is up to it, and what is behind
+/// it.
 struct Viewer {
   glm::dvec3 eye{0};
   glm::dvec3 up{0, 1, 0};
@@ -41,8 +42,13 @@ struct Viewer {
   bool operator==(const Viewer&) const = default;
 };
 
-/// Without a viewer, Billboards stay as they are written.
-World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer = nullptr);
+/// Without a viewer, Billboards stay as they are written, and each LOD shows its nearest level. Visible is what stands in the
+/// scene that rendered texture `own_scene_of` has of its own, or in the world (-1).
+World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer = nullptr,
+            std::int32_t own_scene_of = -1);
+
+/// Whether where things are, or which of them are shown, depends on the viewer.
+bool depends_on_viewer(const PackedScene& scene);
 
 /// Whether the light is on, and in no branch that a Switch has not chosen.
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world);
@@ -77,13 +83,17 @@ View look_along(const glm::dvec3& position, const glm::dvec3& direction, const g
 /// What a viewpoint sees in a picture of that shape.
 View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World& world, double aspect);
 
-/// The viewpoint that is looked through: `wanted` is a DEF name or an index from 0, else the first. -1: the scene has none.
+/// The viewpoint that is looked through: `wanted` is a DEF name or an index from 0, else the one that is bound at the start.
+/// -1: none; the whole scene is looked at.
 std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted);
 
 /// `wanted` is a DEF name or an index from 0; unknown ones are reported and the first viewpoint taken. `aspect` is width /
 /// height.
 View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
                  Messages& messages);
+
+/// From in front of all that is visible, as where a scene has no viewpoint.
+View view_of_world(const World& world, double aspect);
 
 /// True when the box lies wholly on the outer side of the left, right, lower or upper plane of the clip space.
 bool outside_sideways(const Box& box, const glm::dmat4& to_clip);

@@ -27,6 +27,7 @@ struct CodeUnit {
   MappedText text;
   std::vector<std::string> castle_names;   ///< castle_ names that the text uses, declared or not.
   std::vector<RenamedName> renamed_names;  ///< Names that upgrading had to change.
+  std::vector<Span> merged_directions;     ///< Of parameters that had several (UpgradedText).
   TokenList tokens;
   Outline outline;                           ///< Points into `text`, so a unit is never moved once made.
   std::vector<PlugFunction> plug_functions;  ///< In text order.

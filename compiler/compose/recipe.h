@@ -47,12 +47,16 @@ enum class Primitive : std::uint8_t { none, points, lines, triangles };
 /// columns.
 enum class MapPass : std::uint8_t { none, vsm_moments, evsm_moments, msm_moments, blur };
 
+/// The pass of a ScreenEffect over the picture: what its shader may look up there.
+enum class ScreenPass : std::uint8_t { none, color, color_and_depth };
+
 struct Recipe {
   bool depth_pass = false;      ///< The program of a shadow pass; what is wrong is said of the shape's own program.
   bool depth_only = false;      ///< Of one in which no fragment is discarded.
   bool of_point_light = false;  ///< Of one whose depth is the distance to a point light.
   bool cut_near = false;        ///< Of such a one: what is nearer than `projectionNear` is left out.
   MapPass map_pass = MapPass::none;
+  ScreenPass screen_pass = ScreenPass::none;  ///< Without a shader: the picture stays as it is.
   bool gouraud = false;
   bool lit = false;
   bool physical = false;  ///< Lit as a PhysicalMaterial; its light is added up linearly and encoded for the screen at the end.
@@ -69,7 +73,14 @@ struct Recipe {
   std::vector<LightRecipe> lights;        ///< Number N of a light is its place here.
   std::vector<TextureRecipe> textures;    ///< Number N of a texture is its place here.
   std::vector<int> effects;               ///< Of the Appearance, then of the groups.
-  std::vector<int> guarded;  ///< Those, anywhere in the recipe, whose calls stand under a switch of the program. Sorted.
+  std::vector<int> guarded;       ///< Those, anywhere in the recipe, whose calls stand under a switch of the program. Sorted.
+  bool back_material = false;     ///< Back faces have a material of their own, with the same terms.
+  bool alpha_cutoff = false;      ///< The alpha test's bound may differ from 0.5.
+  std::uint32_t clip_planes = 0;  ///< How many.
+  bool point_size = false;
+  int line_type = 1;
+  bool filled = true;  ///< False: of faces nothing but hatches is drawn.
+  int hatch = 0;       ///< Style of the hatches; 0: none.
   auto operator<=>(const Recipe&) const = default;
 };
 
@@ -98,6 +109,9 @@ Recipe make_recipe(const Scene& scene, const SceneShape& shape, const ShapeFacts
 /// The recipe of a caster's depth pass: of its effects only those that move vertices or change primitives, and, where the
 /// alpha of fragments is tested or an effect discards some, what decides about them.
 Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& codes, bool of_point_light = false);
+
+/// The recipe of a screen effect's program.
+Recipe make_screen_recipe(const SceneScreenEffect& effect);
 
 /// The recipes of a map of that method, in the order in which they are drawn.
 std::array<Recipe, 2> make_map_recipes(ShadowMethod method);

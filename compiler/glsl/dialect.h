@@ -26,6 +26,8 @@ struct UpgradedText {
   std::vector<std::string> used_names;
   /// Each once. A uniform among them is still fed by the field of the written name.
   std::vector<RenamedName> renamed_names;
+  /// The words of each parameter that had several directions, as `inout in vec3 normal`: places of the author's.
+  std::vector<Span> merged_directions;
 };
 
 /// Live code, the bodies of macros and the arguments of markers are upgraded:
@@ -38,6 +40,7 @@ struct UpgradedText {
 ///   `varying vec4 gl_TexCoord[4];` goes
 /// - where a part has both an old texture call and a variable named `texture`, or a global of that name, the variable
 ///   becomes `texture_`
+/// - several directions of a parameter -> one: `inout in` -> `inout`, which some drivers take
 /// - a name that has become a keyword since, or is one in some target, and a global or function named like a newer built-in
 ///   function, gets a trailing `_`, unless the text's own `#version` says that such words are meant (130 for most)
 /// - a `\` at a line's end, which GLSL 3.30 lacks, goes together with the line end

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -14,6 +15,13 @@ namespace plugc {
 
 enum class Topology : std::uint8_t { triangles, lines, points };
 
+/// Numbers of an author's at each vertex, for shaders: FloatVertexAttribute, Matrix3VertexAttribute, Matrix4VertexAttribute.
+struct MeshAttribute {
+  std::string name;
+  std::uint8_t columns = 1, components = 4;  ///< Columns of a matrix (else 1), numbers in each.
+  std::vector<float> values;                 ///< columns * components a vertex.
+};
+
 struct Mesh {
   Topology topology = Topology::triangles;
   std::vector<glm::vec3> positions;                ///< All count for the bounds, also those that no index names (Text).
@@ -21,11 +29,13 @@ struct Mesh {
   std::vector<std::vector<glm::vec4>> tex_coords;  ///< Per unit (s, t, r, q), as many as the node has or at least one default.
   std::vector<glm::vec4> colors;                   ///< Linear RGBA; empty without a Color node.
   bool colors_have_alpha = false;
-  std::vector<glm::vec4> tangents;     ///< For normal maps (tangents.h); empty where none was asked for.
-  std::vector<float> fog_coords;       ///< Depth in the fog; empty without a FogCoordinate node.
+  std::vector<glm::vec4> tangents;  ///< For normal maps (tangents.h); empty where none was asked for.
+  std::vector<float> fog_coords;    ///< Depth in the fog; empty without a FogCoordinate node.
+  std::vector<MeshAttribute> attributes;
   std::vector<std::uint32_t> indices;  ///< Counter-clockwise triangles seen from the front.
   bool solid = true;                   ///< Back faces need not be drawn.
   bool ccw = true;                     ///< False: front faces are clockwise in `indices` (already as written).
+  friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
 /// The triangles of one geometry node; nullopt (with a diagnostic) where it has nothing to draw.

@@ -23,6 +23,11 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::fog_visibility_range:
       return scene.present_slot(place, "a", binding.a(), 1) &&
              check.require_index(place, "transform", binding.b(), scene.scene.transforms()->size() + 1);
+    case PackedSource::rendered_texture: {
+      const auto* textures = scene.scene.rendered_textures();
+      return check.require_index(place, "rendered texture", binding.a(), textures == nullptr ? 0 : textures->size()) &&
+             check.require_index(place, "element", binding.b(), uniform.count());
+    }
     case PackedSource::texture_matrix:
       return check.require_index(place, "texture transform", binding.a(), scene.scene.texture_transforms()->size());
     case PackedSource::viewpoint_projector_matrix:
@@ -58,7 +63,11 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::camera_inverse_matrix:
     case PackedSource::camera_rotation_matrix:
     case PackedSource::camera_rotation_inverse_matrix:
-    case PackedSource::depth_pass_range: return true;
+    case PackedSource::depth_pass_range:
+    case PackedSource::screen_color:
+    case PackedSource::screen_depth:
+    case PackedSource::screen_width:
+    case PackedSource::screen_height: return true;
   }
   return check.fail(place, "its source is unknown");
 }
@@ -66,7 +75,8 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
 bool feeds_sampler(PackedSource source) {
   return source == PackedSource::texture || source == PackedSource::shadow_map || source == PackedSource::shadow_map_greater ||
          source == PackedSource::shadow_moments || source == PackedSource::shadow_depths ||
-         source == PackedSource::shadow_unblurred;
+         source == PackedSource::shadow_unblurred || source == PackedSource::rendered_texture ||
+         source == PackedSource::screen_color || source == PackedSource::screen_depth;
 }
 
 bool check_binding(SceneCheck& scene, const PackedBinding& binding, const PackedProgram& program, const Place& place) {

@@ -45,6 +45,9 @@ struct SceneTransform {
   std::uint32_t billboard_axis = kSceneNoSlot;  ///< With it: turned to the viewer about that axis (X3D 4.1, 23.4.1).
   std::uint32_t switch_slot = kSceneNoSlot;     ///< With it: drawn only while the slot equals `choice`.
   int choice = 0;
+  /// With it: drawn only while the eye is at least `lod_from` and less than `lod_to` away from that point (X3D 4.1, 23.4.3).
+  std::uint32_t lod_center = kSceneNoSlot;
+  double lod_from = 0, lod_to = 0;
 };
 
 /// Where an effect part is plugged; LIGHT means the stage that computes the shape's lighting.
@@ -105,6 +108,8 @@ struct SceneTexture {
   bool moments = false;                          ///< Of the same: the moments of depth, as a picture.
   DepthCompare compare = DepthCompare::less_equal;
   std::vector<int> effects;
+  int rendered = -1;                   ///< Into rendered_textures: the renderer draws it.
+  std::string_view url_field = "url";  ///< Of the node: where its file is named. A Background has one for each side.
 };
 
 /// Texture coordinates of one unit: X3D 4.1 clauses 18.4.8 and 33.4. Slots; `matrix` stands for all others.
@@ -159,7 +164,9 @@ enum class CoordGenerator : std::uint8_t {
   sphere_reflect_local,
   world_space_normal,
   world_space_reflection,
-  projection
+  projection,
+  noise,
+  noise_eye
 };
 
 /// What a material does with a texture (X3D 4.1, 12.4). The main ones make the diffuse, base or emissive colour; each other
@@ -264,9 +271,31 @@ enum class BlendFactor : std::uint8_t {
 struct SceneBlend {
   BlendFactor source = BlendFactor::src_alpha;
   BlendFactor destination = BlendFactor::one_minus_src_alpha;
+  std::uint32_t color = kSceneNoSlot, transparency = kSceneNoSlot;  ///< What the `constant_` factors mean.
 };
 
 enum class Shading : std::uint8_t { phong, gouraud, wireframe };
+
+/// A half of space that is cut away: X3D 4.1, clause 11.4.1. Fields are slots.
+struct SceneClipPlane {
+  int transform = -1;
+  std::uint32_t plane = kSceneNoSlot, enabled = kSceneNoSlot;
+};
+
+/// What alpha means (X3D 4.1, 12.2.3, Appearance.alphaMode): `automatic` goes by the material and the textures.
+enum class AlphaMode : std::uint8_t { automatic, opaque, mask, blend };
+
+/// How lines, points and faces are drawn beside their colour: X3D 4.1, clauses 12.4.3, 12.4.4 and 12.4.9. Slots; none: the
+/// default.
+struct SceneStyle {
+  std::uint32_t line_width = kSceneNoSlot;  ///< Pixels.
+  int line_type = 1;                        ///< Solid; others are dashed (table 12.2).
+  /// Of PointProperties: what the size is, what it lies between, how it falls with the distance (vec3).
+  std::uint32_t point_size = kSceneNoSlot, point_least = kSceneNoSlot, point_most = kSceneNoSlot, point_falloff = kSceneNoSlot;
+  bool filled = true;
+  int hatch = 0;  ///< Style of the hatches (table 12.3); 0: none.
+  std::uint32_t hatch_color = kSceneNoSlot;
+};
 
 /// The shadow of a light as a shape shows it.
 struct ReceivedShadow {
@@ -275,11 +304,16 @@ struct ReceivedShadow {
   DepthCompare compare = DepthCompare::less_equal;
 };
 
+/// What a shape is part of. The backdrop is all parts of the bound Background but `world`: the gradients of sky and ground, and
+/// the sides of a cube with a picture each, seen from within (X3D 4.1, 24.2.1).
+enum class ScenePart : std::uint8_t { world, gradient, back, bottom, front, left, right, top };
+
 struct SceneShape {
   std::string name;  ///< DEF of the shape or its geometry's type, for people.
   NodeId node, geometry;
   int transform = -1;
-  int material = -1;  ///< -1: unlit white.
+  int material = -1;       ///< -1: unlit white.
+  int back_material = -1;  ///< Of back faces; -1: the same.
   std::vector<TextureUse> textures;
   std::uint32_t multi_color = kSceneNoSlot, multi_alpha = kSceneNoSlot;  ///< Of its MultiTexture: the source FACTOR.
   std::vector<int> lights;                                               ///< In document order of the scene's light list.
@@ -291,7 +325,13 @@ struct SceneShape {
   bool casts_shadow = true;
   bool has_blend_mode = false;
   SceneBlend blend;
-  std::optional<Box> bounds;  ///< bboxSize and bboxCenter, where they are written.
+  std::optional<Box> bounds;          ///< bboxSize and bboxCenter, where they are written.
+  int own_scene_of = -1;              ///< It stands in the scene that this rendered texture has of its own; -1: in the world.
+  ScenePart part = ScenePart::world;  ///< Of the backdrop: `node` and `geometry` are the Background.
+  AlphaMode alpha_mode = AlphaMode::automatic;
+  std::uint32_t alpha_cutoff = kSceneNoSlot;
+  std::vector<int> clip_planes;  ///< From the outermost in.
+  SceneStyle style;
 };
 
 struct SceneViewpoint {
@@ -308,6 +348,65 @@ struct SceneProjector {
   int shadow_map = -1;  ///< Of a light: the map whose projection it is; such a map may have no texels (update none).
 };
 
+/// What a rendered texture holds: colours, the depths of a view as grey, or what is seen all around a shape.
+enum class RenderedKind : std::uint8_t { color, depth, cube };
+
+/// A RenderedTexture or GeneratedCubeMapTexture; fields as PackedRenderedTexture has them.
+struct SceneRenderedTexture {
+  NodeId node;
+  RenderedKind kind = RenderedKind::color;
+  std::uint32_t width = 128, height = 128;
+  ShadowUpdate update = ShadowUpdate::none;
+  int viewpoint = -1;  ///< Into projectors.
+  bool own_scene = false;
+  std::uint32_t background_color = kSceneNoSlot;
+  std::vector<std::uint32_t> rendering_slots;  ///< That ROUTEs from its `rendering` write.
+};
+
+/// A ScreenEffect with the shader that it uses.
+struct SceneScreenEffect {
+  NodeId node;
+  std::string label;
+  int shader = -1;                       ///< Into shaders.
+  std::uint32_t enabled = kSceneNoSlot;  ///< As of an effect.
+  bool needs_depth = false;
+  int transform = -1;  ///< It acts while no Switch above has chosen another child.
+};
+
+/// As PackedEventKind, where the slots of each kind are listed.
+enum class EventKind : std::uint8_t {
+  time_sensor,
+  proximity_sensor,
+  camera,
+  interpolate,
+  interpolate_color,
+  interpolate_normal,
+  interpolate_rotation,
+  spline,
+  squad,
+  ease,
+  sequence,
+  boolean_filter,
+  boolean_toggle,
+  boolean_trigger,
+  integer_trigger,
+  time_trigger
+};
+
+/// A node whose events reach something that is drawn.
+struct SceneEventNode {
+  EventKind kind = EventKind::time_sensor;
+  NodeId node;
+  std::vector<std::uint32_t> inputs, outputs;  ///< Slots; none where nothing of the scene is different from the default.
+  int subject = -1;                            ///< The transform of a proximity sensor, the viewpoint of a camera.
+};
+
+/// An event at the slot `from` is one at `to`.
+struct SceneRoute {
+  std::uint32_t from = kSceneNoSlot, to = kSceneNoSlot;
+  auto operator<=>(const SceneRoute&) const = default;
+};
+
 struct Scene {
   std::string name;
   std::vector<Slot> slots;
@@ -320,13 +419,22 @@ struct Scene {
   std::vector<SceneShadowMap> shadow_maps;
   std::vector<SceneMaterial> materials;
   std::vector<SceneFog> fogs;
+  std::vector<SceneClipPlane> clip_planes;
   std::vector<SceneShape> shapes;
-  std::vector<SceneViewpoint> viewpoints;
+  std::vector<SceneViewpoint> viewpoints;  ///< Those of Inlines too, which are not bound at the start (X3D 4.1, 7.2.2).
+  int bound_viewpoint = -1;                ///< At the start.
   std::vector<SceneProjector> projectors;
-  std::vector<std::string> known_dynamic;  ///< Of SceneOptions::dynamic: what names a node of this scene.
+  std::vector<SceneRenderedTexture> rendered_textures;  ///< One that another's own scene shows comes before that other.
+  std::vector<SceneScreenEffect> screen_effects;        ///< In document order, in which they act.
+  std::vector<SceneEventNode> event_nodes;              ///< In the order in which they are evaluated.
+  std::vector<SceneRoute> routes;                       ///< In order.
+  std::vector<std::string> known_dynamic;               ///< Of SceneOptions::dynamic: what names a node of this scene.
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };
+
+/// Whether some shape stands in the world; a backdrop alone shows no effect.
+bool has_world_shapes(const Scene& scene);
 
 /// The shapes of a graph. With `all_branches` (lint), every child of a Switch and every disabled effect is taken too.
 struct SceneOptions {

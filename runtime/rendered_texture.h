@@ -1,0 +1,31 @@
+#pragma once
+// The textures that a scene draws for itself: their storage, and who reads them. When they are drawn:
+// draw_rendered_textures.h.
+
+#include <cstdint>
+#include <vector>
+
+#include "package/package_file.h"
+#include "runtime/gl/target.h"
+#include "runtime/gl/texture.h"
+#include "runtime/messages.h"
+
+namespace plugc {
+
+struct RenderedTexture {
+  gl::Texture texture;  ///< None when it is never drawn, or no shape reads it: whoever does sees white.
+  gl::Renderbuffer depth;
+  gl::Texture color;                     ///< Drawn beside a texture of depths, and read by nobody.
+  std::vector<gl::Framebuffer> targets;  ///< One, or one a face of a cube: +x -x +y -y +z -z.
+  GLsizei width = 0, height = 0;
+  std::vector<std::uint32_t> readers;  ///< Shapes some program of which reads it.
+  bool read_by_screen = false;         ///< Some screen effect does.
+  bool drawn = false;
+  bool being_drawn = false;  ///< What reads it meanwhile sees white.
+};
+
+/// One per PackedRenderedTexture. Sizes beyond what can be made are reported.
+std::vector<RenderedTexture> make_rendered_textures(const gl::Functions& functions, const PackedScene& scene,
+                                                    Messages& messages);
+
+}  // namespace plugc
