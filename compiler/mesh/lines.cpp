@@ -9,6 +9,7 @@
 #include "mesh/box_texture.h"
 #include "mesh/geometry.h"
 #include "mesh/lists.h"
+#include "mesh/mesh_attribute.h"
 
 namespace plugc {
 
@@ -18,8 +19,14 @@ namespace {
 class LineBuilder {
  public:
   explicit LineBuilder(const GeometrySource& source)
-      : source_(source), coords_(read_coords(source)), colors_(read_colors(source)) {
+      : source_(source),
+        coords_(read_coords(source)),
+        colors_(read_colors(source)),
+        fog_coords_(read_fog_coords(source, coords_.size())),
+        attributes_(read_attributes(source, coords_.size())) {
     mesh.colors_have_alpha = colors_.have_alpha;
+    for (const MeshAttribute& by_coord : attributes_)
+      mesh.attributes.push_back({by_coord.name, by_coord.columns, by_coord.components, {}});
     mesh.solid = false;
   }
 
@@ -36,6 +43,11 @@ class LineBuilder {
       mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
       mesh.positions.push_back(coords_[static_cast<std::size_t>(end.coord)]);
       if (!colors_.colors.empty()) mesh.colors.push_back(colors_.colors[static_cast<std::size_t>(end.color)]);
+      if (!fog_coords_.empty()) mesh.fog_coords.push_back(fog_coords_[static_cast<std::size_t>(end.coord)]);
+      for (std::size_t i = 0; i < attributes_.size(); ++i) {
+        const std::span<const float> numbers = numbers_at(attributes_[i], static_cast<std::size_t>(end.coord));
+        mesh.attributes[i].values.insert(mesh.attributes[i].values.end(), numbers.begin(), numbers.end());
+      }
     }
   }
 
@@ -67,6 +79,8 @@ class LineBuilder {
   const GeometrySource& source_;
   std::vector<glm::vec3> coords_;
   ColorList colors_;
+  std::vector<float> fog_coords_;
+  std::vector<MeshAttribute> attributes_;  // by coord
   bool reported_ = false;
 };
 

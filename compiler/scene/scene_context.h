@@ -30,6 +30,7 @@ struct SceneContext {
   std::vector<DynamicField> dynamic;
   SlotTable slots;
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
+  std::map<NodeId, int> back_materials;               ///< Of TwoSidedMaterial: what it says of back faces.
   std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };
 
@@ -58,6 +59,11 @@ void read_texture_coordinates(SceneContext& context, SceneShape& shape);
 
 /// Fills what the Appearance says: material, textures, effects, shader, blending.
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape);
+
+/// Fills what the Appearance says of alpha, lines, points and the filling of faces.
+void read_style(SceneContext& context, NodeId appearance, SceneShape& shape);
+/// A ClipPlane where it stands; -1 for one that is off for good.
+int add_clip_plane(SceneContext& context, NodeId plane, int transform);
 
 /// A Fog or LocalFog where it stands; -1 when its visibilityRange says that there is none.
 int add_fog(SceneContext& context, NodeId fog, int transform);
