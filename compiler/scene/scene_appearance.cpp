@@ -272,6 +272,7 @@ void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape
   read_textures(context, own_texture.valid() ? own_texture : graph.child(appearance, "texture"),
                 graph.child(appearance, "textureTransform"), shape);
   read_material_textures(context, material, graph.child(appearance, "textureTransform"), shape);
+  read_normal_map(context, appearance, shape);
   shape.effects = effect_list(context, appearance);
   for (const NodeId shader : graph.children(appearance, "shaders")) {
     shape.shader = shader_index(context, shader);

@@ -50,6 +50,8 @@ int unit_transform(SceneContext& context, NodeId transform, std::size_t unit);
 int coordinate_unit(const NodeGraph& graph, NodeId geometry, std::string_view mapping);
 /// Adds the material's textures beside its main ones.
 void read_material_textures(SceneContext& context, NodeId material, NodeId transform, SceneShape& shape);
+/// Adds the engine's `normalMap` of an Appearance, where the material has no normal map of its own.
+void read_normal_map(SceneContext& context, NodeId appearance, SceneShape& shape);
 /// What a MultiTexture says of its texture of that index; nullopt for one that is OFF.
 std::optional<TextureCombination> read_combination(const NodeGraph& graph, NodeId multi_texture, std::size_t index);
 /// The textures of a shape's material: `texture` may be a MultiTexture, `transform` a MultiTextureTransform.
