@@ -182,7 +182,7 @@ TEST(Tga, ReportsWhatIsMissing) {
 TEST(Image, BrokenFilesAreReported) {
   EXPECT_THAT(decode("").messages, ElementsAre("cannot decode the image `p`: the file is empty"));
   EXPECT_THAT(
-      decode("GIF89a").messages,
+      decode("RIFF    WEBP").messages,
       ElementsAre("cannot decode the image `p`: it is none of PNG, JPEG, GIF, BMP, DDS and TGA; convert it to one of them"));
   EXPECT_THAT(decode(sample("truncated.png")).messages, ElementsAre("cannot decode the image `p`: the file ends too early"));
   EXPECT_THAT(decode(sample("truncated.jpg")).messages, ElementsAre("cannot decode the image `p`: Premature end of JPEG file"));
