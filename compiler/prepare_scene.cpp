@@ -40,6 +40,17 @@ void prepare_meshes(const NodeGraph& graph, SceneParts& parts, MeshCache& made, 
   }
 }
 
+/// Faces that are neither filled nor hatched (X3D 4.1, FillProperties) are not there, and cast no shadow; hatches cast none.
+void prepare_fill(SceneParts& parts) {
+  for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
+    SceneShape& shape = parts.scene.shapes[i];
+    std::shared_ptr<const Mesh>& mesh = parts.shapes[i].mesh;
+    if (mesh == nullptr || mesh->topology != Topology::triangles || shape.style.filled) continue;
+    shape.casts_shadow = false;
+    if (shape.style.hatch == 0) mesh = nullptr;
+  }
+}
+
 /// Meshes with a normal map get tangents, each for the coordinates that the map is read with.
 void prepare_tangents(SceneParts& parts) {
   std::map<std::pair<const Mesh*, std::size_t>, std::shared_ptr<const Mesh>> made;
@@ -87,11 +98,15 @@ Primitive primitive_of(const Mesh& mesh) {
   return Primitive::triangles;
 }
 
-/// X3D 4.1, 12.2.3: alpha between 0 and 1 blends, alpha that is all or nothing is tested.
+/// X3D 4.1, 12.2.3: as alphaMode says, else alpha between 0 and 1 blends and alpha that is all or nothing is tested.
 AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
+  if (shape.alpha_mode == AlphaMode::opaque) return AlphaUse::opaque;
+  if (shape.alpha_mode == AlphaMode::mask) return AlphaUse::tested;
+  if (shape.alpha_mode == AlphaMode::blend) return AlphaUse::blended;
   AlphaUse use = AlphaUse::opaque;
-  if (shape.material >= 0) {
-    const Slot& transparency = parts.scene.slots[parts.scene.materials[static_cast<std::size_t>(shape.material)].transparency];
+  for (const int material : {shape.material, shape.back_material}) {
+    if (material < 0) continue;
+    const Slot& transparency = parts.scene.slots[parts.scene.materials[static_cast<std::size_t>(material)].transparency];
     if (transparency.routed || transparency.values[0] > 0) return AlphaUse::blended;
   }
   for (const TextureUse& texture : shape.textures) {
@@ -239,6 +254,7 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   drop_missing_textures(parts.scene, parts.images);
   // from here textures have their final numbers, which those of texture coordinates follow
   prepare_meshes(graph, parts, meshes, diagnostics);
+  prepare_fill(parts);
   prepare_tangents(parts);
   prepare_effect_code(parts.scene, prepared, diagnostics);
   mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);

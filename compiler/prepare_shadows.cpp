@@ -48,6 +48,7 @@ std::string obstacle(const SceneShadowMap& map, const std::vector<EffectCode>& e
     const bool shows = std::ranges::find(shape.receives, map.light, &ReceivedShadow::light) != shape.receives.end();
     if ((shape.casts_shadow || shows) && may_move_vertices(scene, shape, effects))
       return fmt::format("a shader may move the vertices of `{}`", shape.name);
+    if ((shape.casts_shadow || shows) && !shape.clip_planes.empty()) return fmt::format("a `ClipPlane` cuts `{}`", shape.name);
     if (may_cut_holes(scene, shape, effects)) return fmt::format("an effect cuts holes into `{}`", shape.name);
   }
   return "";

@@ -18,6 +18,8 @@ namespace {
 
 using Bindings = flatbuffers::Vector<const PackedBinding*>;
 
+constexpr float kMaxLineWidth = 255;
+
 struct BoundTexture {
   GLuint texture = 0;
   GLuint sampler = 0;  ///< 0: the texture's own settings.
@@ -124,15 +126,17 @@ double distance_from_eye(const Box& bounds, const View& view) {
   return orthographic ? -seen.z : glm::length(seen);
 }
 
-/// Null for the mesh's own: no coordinates are projected before the vertex shader, or, in a depth pass, none are read.
+/// Null for the mesh's own: no coordinates are projected before the vertex shader, or, in a depth pass, none are read; and the
+/// program reads no attribute of an author's.
 const gl::VertexArray* vertex_array_of(const gl::Functions& functions, LoadedScene& scene, const Pass& pass,
-                                       std::uint32_t index, const UniformInputs& inputs) {
+                                       std::uint32_t index, std::uint32_t program, const UniformInputs& inputs) {
   const PackedShape& shape = scene.shape(index);
   const auto* bindings = shape.projected_coords();
-  if (bindings == nullptr || bindings->size() == 0 || pass.depth_only) return nullptr;
+  if (bindings == nullptr || bindings->size() == 0 || pass.depth_only)
+    return scene.resources.custom_attributes(shape.mesh(), program);
   ProjectedCoords& coords = scene.projected_coords[index];
   update_projected_coords(functions, scene.resources.mesh(shape.mesh()), *scene.package->meshes()->Get(shape.mesh()), *bindings,
-                          inputs, coords);
+                          *scene.package->programs()->Get(program)->attributes(), inputs, coords);
   return &coords.vertex_array;
 }
 
@@ -159,10 +163,11 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   const glm::dmat4& object_to_world = scene.world.at(shape.transform()).matrix;
   const UniformInputs inputs{*scene.packed,   scene.slots,       scene.world,
                              pass.view,       pass.shadow_views, pass.depth_only ? &pass.view : nullptr,
-                             object_to_world, pass.depth_range,  pass.bound_viewpoint};
+                             object_to_world, pass.depth_range,  pass.bound_viewpoint,
+                             pass.target_size};
   apply_bindings(functions, scene, pass, program, bindings_in(use, pass), inputs, messages);
-  if (!pass.depth_only) gl::set_draw_state(functions, draw_state_of(shape, object_to_world));
-  gl::draw_mesh(functions, mesh, vertex_array_of(functions, scene, pass, index, inputs));
+  if (!pass.depth_only) gl::set_draw_state(functions, draw_state_of(shape, scene.slots, object_to_world));
+  gl::draw_mesh(functions, mesh, vertex_array_of(functions, scene, pass, index, program_index, inputs));
   pass.programs.insert(program_index);
   return true;
 }
@@ -180,10 +185,16 @@ bool draw_over_map(const gl::Functions& functions, LoadedScene& scene, Pass& pas
   return true;
 }
 
-gl::DrawState draw_state_of(const PackedShape& shape, const glm::dmat4& object_to_world) {
+gl::DrawState draw_state_of(const PackedShape& shape, const Slots& slots, const glm::dmat4& object_to_world) {
   const bool mirrored = glm::determinant(glm::dmat3(object_to_world)) < 0;
-  return {shape.blended(),   shape.blend_source(),         shape.blend_destination(),
-          shape.cull_back(), shape.front_cw() != mirrored, shape.wireframe()};
+  gl::DrawState state{shape.blended(),   shape.blend_source(),         shape.blend_destination(),
+                      shape.cull_back(), shape.front_cw() != mirrored, shape.wireframe()};
+  const glm::dvec3 color = slots.vector3(shape.blend_color(), glm::dvec3(1));
+  const double alpha = 1 - slots.number(shape.blend_transparency(), 0);
+  state.blend_color = {finite_float(color.r), finite_float(color.g), finite_float(color.b), finite_float(alpha)};
+  state.line_width = std::clamp(finite_float(slots.number(shape.line_width(), 1)), 1.0F, kMaxLineWidth);
+  state.program_sizes_points = shape.sized_points();
+  return state;
 }
 
 std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view) {

@@ -20,6 +20,7 @@ struct Pass {
   bool of_point_light = false;        ///< A depth map all of whose depths are distances to a point light.
   glm::dvec4 depth_range{0};          ///< Of such a pass: PackedSource::depth_pass_range.
   std::int32_t bound_viewpoint = -1;  ///< Through which `view` looks; -1: through none of the scene's.
+  glm::dvec2 target_size{1};          ///< Width and height of what is drawn into, in pixels.
 };
 
 /// Draws over the whole target that is bound, with a program of map `map`. False when the driver rejected the program.
@@ -29,8 +30,8 @@ bool draw_over_map(const gl::Functions& functions, LoadedScene& scene, Pass& pas
 /// False when nothing was drawn: the driver rejected the program, or the mesh is empty.
 bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t shape, Messages& messages);
 
-/// How a shape is drawn into a picture: its faces, its blending.
-gl::DrawState draw_state_of(const PackedShape& shape, const glm::dmat4& object_to_world);
+/// How a shape is drawn into a picture: its faces, its blending, its lines and points.
+gl::DrawState draw_state_of(const PackedShape& shape, const Slots& slots, const glm::dmat4& object_to_world);
 
 /// The visible shapes that the view may show. Opaque ones first, by program, then state, then mesh, so that neighbours
 /// share; then the blended ones from far to near.

@@ -28,19 +28,20 @@ std::vector<float> project(const PackedMesh& mesh, const glm::dmat4& to_coords) 
 }
 
 void make_streams(const gl::Functions& functions, const gl::Mesh& mesh, const PackedMesh& packed,
-                  const flatbuffers::Vector<const PackedBinding*>& bindings, ProjectedCoords& coords) {
+                  const flatbuffers::Vector<const PackedBinding*>& bindings, const gl::Attributes& attributes,
+                  ProjectedCoords& coords) {
   for (const PackedBinding* binding : bindings)
     coords.streams.push_back({PackedSemantic::tex_coord, binding->uniform(), gl::make_stream_buffer(functions)});
   coords.matrices.assign(coords.streams.size(), glm::dmat4(0.0));
-  coords.vertex_array = gl::make_vertex_array(functions, mesh, packed, coords.streams);
+  coords.vertex_array = gl::make_vertex_array(functions, mesh, packed, coords.streams, attributes);
 }
 
 }  // namespace
 
 void update_projected_coords(const gl::Functions& functions, const gl::Mesh& mesh, const PackedMesh& packed,
-                             const flatbuffers::Vector<const PackedBinding*>& bindings, const UniformInputs& inputs,
-                             ProjectedCoords& coords) {
-  if (!coords.vertex_array) make_streams(functions, mesh, packed, bindings, coords);
+                             const flatbuffers::Vector<const PackedBinding*>& bindings, const gl::Attributes& attributes,
+                             const UniformInputs& inputs, ProjectedCoords& coords) {
+  if (!coords.vertex_array) make_streams(functions, mesh, packed, bindings, attributes, coords);
   for (std::size_t i = 0; i < coords.streams.size(); ++i) {
     const glm::dmat4 to_coords =
         projector_matrix(*bindings.Get(static_cast<std::uint32_t>(i)), inputs) * inputs.object_to_world;

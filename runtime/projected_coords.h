@@ -16,9 +16,9 @@ struct ProjectedCoords {
   std::vector<glm::dmat4> matrices;      ///< Object space to coordinates, as the streams were computed with.
 };
 
-/// Computes them again where the projection or the shape has moved.
+/// Computes them again where the projection or the shape has moved. `attributes` are those of the shape's program.
 void update_projected_coords(const gl::Functions& functions, const gl::Mesh& mesh, const PackedMesh& packed,
-                             const flatbuffers::Vector<const PackedBinding*>& bindings, const UniformInputs& inputs,
-                             ProjectedCoords& coords);
+                             const flatbuffers::Vector<const PackedBinding*>& bindings, const gl::Attributes& attributes,
+                             const UniformInputs& inputs, ProjectedCoords& coords);
 
 }  // namespace plugc

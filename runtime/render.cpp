@@ -120,6 +120,7 @@ void draw_picture(const gl::Functions& gl, LoadedScene& scene, const FrameTarget
       pass.shadow_views.back().near = pass.shadow_views.back().far = 0;  // depth 0: before all moments
   }
   pass.bound_viewpoint = camera.viewpoint;
+  pass.target_size = {target.width, target.height};
   gl::begin_color_pass(gl, target.framebuffer, target.width, target.height, background_of(scene));
   for (const std::uint32_t shape : draw_order(scene, camera.view)) {
     statistics.draw_calls += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;

@@ -13,6 +13,16 @@ const gl::Mesh& ResourcePool::mesh(std::uint32_t index) {
   return *slot;
 }
 
+const gl::VertexArray* ResourcePool::custom_attributes(std::uint32_t index, std::uint32_t program) {
+  const PackedMesh& packed = *package_->meshes()->Get(index);
+  if (packed.attributes() == nullptr || packed.attributes()->size() == 0) return nullptr;
+  const gl::Attributes& attributes = *package_->programs()->Get(program)->attributes();
+  if (!gl::reads_custom(packed, attributes)) return nullptr;
+  gl::VertexArray& array = custom_attributes_[{index, program}];
+  if (!array) array = gl::make_vertex_array(*gl_, mesh(index), packed, {}, attributes);
+  return &array;
+}
+
 const gl::Texture& ResourcePool::texture(std::uint32_t index, PackedUniformType sampler, Messages& messages) {
   gl::Texture& texture = textures_[{index, gl::texture_target(sampler)}];
   if (texture) return texture;

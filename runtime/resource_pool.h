@@ -18,6 +18,9 @@ class ResourcePool {
   ResourcePool(const gl::Functions& functions, const Package& package);
 
   const gl::Mesh& mesh(std::uint32_t index);
+  /// The mesh as that program reads it, where it reads attributes that only the mesh knows by name; else null: the mesh's own
+  /// will do.
+  const gl::VertexArray* custom_attributes(std::uint32_t mesh, std::uint32_t program);
   /// The texture as that sampler type reads it; white where the picture does not fit, which is reported.
   const gl::Texture& texture(std::uint32_t index, PackedUniformType sampler, Messages& messages);
   /// What a sampler reads that nothing feeds: white, or lit for one that compares. `reversed`: in place of such a map, with
@@ -33,6 +36,7 @@ class ResourcePool {
   const gl::Functions* gl_ = nullptr;
   const Package* package_ = nullptr;
   std::vector<std::optional<gl::Mesh>> meshes_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, gl::VertexArray> custom_attributes_;  ///< By mesh and program.
   std::map<std::pair<std::uint32_t, GLenum>, gl::Texture> textures_;  ///< One picture can be read as 2D and as 3D.
   std::map<std::pair<PackedUniformType, bool>, gl::Texture> stand_ins_;
   gl::Sampler depth_picture_sampler_, depth_texel_sampler_, greater_sampler_;

@@ -39,13 +39,17 @@ bool tests_alpha(const PackedProgram& program) {
   return recipe.substr(0, recipe.find(';')).find(" alpha_test") != std::string_view::npos;
 }
 
-std::optional<AlphaTest> find_alpha_test(const Package& package, const ShapePrograms& use) {
+std::optional<AlphaTest> find_alpha_test(const Package& package, const PackedShape& shape, const Slots& slots,
+                                         const ShapePrograms& use) {
   if (!tests_alpha(*package.programs()->Get(use.program))) return std::nullopt;
   for (const PackedBinding* binding : *use.bindings) {
     if (binding->source() != PackedSource::texture) continue;
     const PackedTexture& texture = *package.textures()->Get(binding->a());
     const PackedImage& image = *package.images()->Get(texture.image());
-    if (image.channels() == 2 || image.channels() == 4) return AlphaTest{binding->a(), &texture, &image};
+    if (image.channels() == 2 || image.channels() == 4) {
+      constexpr double kCutoff = 0.5;
+      return AlphaTest{binding->a(), &texture, &image, slots.number(shape.alpha_cutoff(), kCutoff)};
+    }
   }
   return std::nullopt;
 }
@@ -74,7 +78,7 @@ double texel_alpha(const AlphaTest& test, int x, int y) {
 
 }  // namespace
 
-std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const World& world) {
+std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const Slots& slots, const World& world) {
   std::vector<Surface> surfaces;
   const std::uint32_t count = scene.shapes()->size();
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -86,7 +90,7 @@ std::vector<Surface> read_surfaces(const Package& package, const PackedScene& sc
     surface.shape = i;
     surface.to_world = world.at(shape.transform()).matrix;
     surface.points = read_corners(mesh, PackedSemantic::position);
-    surface.alpha_test = find_alpha_test(package, use);
+    surface.alpha_test = find_alpha_test(package, shape, slots, use);
     if (surface.alpha_test) {
       for (const glm::dvec3& corner : read_corners(mesh, PackedSemantic::tex_coord)) surface.tex_coords.emplace_back(corner);
     }

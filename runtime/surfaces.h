@@ -34,7 +34,7 @@ struct Surface {
 };
 
 /// The visible shapes of the scene. Lines and points are left out.
-std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const World& world);
+std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const Slots& slots, const World& world);
 
 /// The planes of its triangles, normals by the order of their corners.
 std::vector<Plane> world_planes(const Surface& surface);

@@ -51,7 +51,7 @@ void place_geometry(TracedShadows& traced, const LoadedScene& scene, Messages& m
   if (traced.placed && places == traced.places) return;
   traced.places = std::move(places);
   traced.placed = true;
-  std::vector<Surface> surfaces = read_surfaces(*scene.package, *scene.packed, scene.world);
+  std::vector<Surface> surfaces = read_surfaces(*scene.package, *scene.packed, scene.slots, scene.world);
   std::string error;
   traced.tracer = Tracer::make(surfaces, error);
   if (traced.tracer == nullptr) messages.add("shadows cannot be traced, so all is lit: " + error);
@@ -80,7 +80,7 @@ void draw_numbers(const gl::Functions& gl, LoadedScene& scene, const View& camer
     gl::TriangleDraw draw{glm::value_ptr(model_view), glm::value_ptr(projection), static_cast<float>(shape), 0, 0, {}};
     draw.alpha_texture = alpha_texture(scene, surface, messages);
     draw.cutoff = surface.alpha_test ? static_cast<float>(surface.alpha_test->cutoff) : 0.0F;
-    draw.state = draw_state_of(scene.shape(shape), surface.to_world);
+    draw.state = draw_state_of(scene.shape(shape), scene.slots, surface.to_world);
     gl::draw_triangles(gl, scene.traced.pass, scene.resources.mesh(scene.shape(shape).mesh()), draw);
   }
 }

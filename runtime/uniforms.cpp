@@ -171,6 +171,14 @@ double visibility_range(const PackedBinding& binding, const UniformInputs& input
   return range * average_scale(inputs.world.at(transform).matrix);
 }
 
+/// A plane is a row that points are multiplied with, so it goes the other way than they do.
+glm::dvec4 eye_clip_plane(const PackedClipPlane& plane, const UniformInputs& inputs) {
+  const glm::dvec4 nothing_cut(0, 0, 0, 1);
+  if (inputs.slots.number(plane.enabled(), 1) == 0) return nothing_cut;
+  const glm::dmat4 to_eye = inputs.view.world_to_eye * inputs.world.at(plane.transform()).matrix;
+  return inputs.slots.vector4(plane.plane(), nothing_cut) * glm::inverse(to_eye);
+}
+
 Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, const UniformInputs& inputs) {
   switch (binding.source()) {
     case PackedSource::slot: return slot_numbers(binding.a(), 1.0, wanted_size, inputs.slots);
@@ -183,6 +191,8 @@ Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, co
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
     case PackedSource::depth_pass_range: return numbers(inputs.depth_range);
     case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
+    case PackedSource::clip_plane: return numbers(eye_clip_plane(*inputs.scene.clip_planes()->Get(binding.a()), inputs));
+    case PackedSource::target_size: return {inputs.target_size.x, inputs.target_size.y};
     case PackedSource::color_and_alpha:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), inputs.slots.number(binding.b(), 1)));
     case PackedSource::light_position:

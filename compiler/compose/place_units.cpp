@@ -12,6 +12,7 @@
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
 #include "compose/shadow_units.h"
+#include "compose/style_features.h"
 #include "compose/texture_features.h"
 
 namespace plugc {
@@ -44,6 +45,7 @@ class Placer {
   void place_wanted_coordinates();
   void place_fog();
   void place_libraries();
+  void place_style();
   bool base_has_marker(std::string_view name) const;
   bool authors_use(std::string_view castle_name) const { return used_names_.contains(castle_name); }
   bool any_fills(std::string_view plug) const;
@@ -110,6 +112,7 @@ Features Placer::base_features() const {
       {!recipe_.lit, "UNLIT"},
       {recipe_.normals, "NORMALS"},
       {recipe_.two_sided, "TWO_SIDED"},
+      {recipe_.back_material, "BACK_MATERIAL"},
       {recipe_.color_per_vertex, "COLOR_PER_VERTEX"},
       {recipe_.vertex_eye || ((recipe_.depth_only || recipe_.shader >= 0) && authors_use("castle_vertex_eye")), "VERTEX_EYE"},
       {recipe_.ambient, "AMBIENT"},
@@ -187,7 +190,8 @@ void Placer::place_base() {
       add_template(unit.file, ShaderStage::fragment, unit.features, {});
   } else if (recipe_.depth_only) {
     add_template("depth.vert", ShaderStage::vertex, base_features(), {});
-    add_template("depth.frag", ShaderStage::fragment, recipe_.of_point_light ? Features{"POINT"} : Features{}, {});
+    const bool has_end = recipe_.of_point_light || recipe_.clip_planes > 0;
+    add_template("depth.frag", ShaderStage::fragment, has_end ? Features{"FRAGMENT_END"} : Features{}, {});
   } else if (!place_shader()) {
     const Features features = base_features();
     add_template(recipe_.gouraud ? "gouraud.vert" : "phong.vert", ShaderStage::vertex, features, {});
@@ -262,6 +266,20 @@ void Placer::place_fog() {
   add_template("fog.frag", ShaderStage::fragment, recipe_.fog == FogKind::linear ? Features{"LINEAR"} : Features{}, kScope);
 }
 
+/// How lines, points and the filling of faces are drawn, and what cuts the shape.
+void Placer::place_style() {
+  if (recipe_.point_size) add_template("point_size.vert", ShaderStage::vertex, {}, {});
+  if (const std::string_view word = line_type_word(recipe_.line_type); !word.empty()) {
+    add_template("line_type.vert", ShaderStage::vertex, {}, {});
+    add_template("line_type.frag", ShaderStage::fragment, {word}, {});
+  }
+  for (int plane = 0; plane < static_cast<int>(recipe_.clip_planes); ++plane) {
+    const PlugScope scope{ScopeKind::clip_plane, plane};
+    add_template("clip_plane.vert", ShaderStage::vertex, {}, scope);
+    add_template("clip_plane.frag", ShaderStage::fragment, {}, scope);
+  }
+}
+
 /// Adds the features of the library's functions that a part names.
 void note_library_features(const CodeUnit& code, std::set<std::string_view>& features) {
   constexpr std::pair<std::string_view, std::string_view> kFunctions[] = {
@@ -329,7 +347,9 @@ void Placer::place() {
   for (std::size_t i = 0; i < recipe_.textures.size(); ++i) place_texture(static_cast<int>(i));
   place_wanted_coordinates();
   place_fog();
-  if (recipe_.alpha_test) add_template("alpha_test.frag", ShaderStage::fragment, {}, {});
+  if (recipe_.alpha_test)
+    add_template("alpha_test.frag", ShaderStage::fragment, recipe_.alpha_cutoff ? Features{"CUTOFF"} : Features{}, {});
+  place_style();
   if (recipe_.of_point_light)
     add_template("point_depth.frag", ShaderStage::fragment, recipe_.cut_near ? Features{"NEAR"} : Features{}, {});
   for (std::size_t i = 0; i < recipe_.lights.size(); ++i) {
@@ -342,6 +362,8 @@ void Placer::place() {
     place_effects(recipe_.textures[i].effects, {ScopeKind::texture, static_cast<int>(i)});
   }
   place_effects(recipe_.effects, {});
+  if (recipe_.hatch != 0 || !recipe_.filled)  // over what effects have made of the colour
+    add_template("hatch.frag", ShaderStage::fragment, hatch_features(recipe_), {});
   place_libraries();
 }
 

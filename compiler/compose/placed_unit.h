@@ -19,8 +19,8 @@ namespace plugc {
 /// Whose names a unit's names are.
 enum class OwnerKind : std::uint8_t { renderer, effect, shader };
 
-/// What a unit acts on: the whole shape, one light, one texture or the fog.
-enum class ScopeKind : std::uint8_t { shape, light, texture, fog };
+/// What a unit acts on: the whole shape, one light, one texture, the fog, or what is cut by one clip plane.
+enum class ScopeKind : std::uint8_t { shape, light, texture, fog, clip_plane };
 struct PlugScope {
   ScopeKind kind = ScopeKind::shape;
   int number = -1;

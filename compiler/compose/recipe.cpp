@@ -12,13 +12,27 @@ class RecipeMaker {
  public:
   RecipeMaker(const Scene& scene, const SceneShape& shape, const ShapeFacts& facts, const std::vector<EffectCode>& codes,
               const SwitchedParts& switched)
-      : scene_(scene), shape_(shape), facts_(facts), codes_(codes), switched_(switched), material_(material_of(scene, shape)) {}
+      : scene_(scene),
+        shape_(shape),
+        facts_(facts),
+        codes_(codes),
+        switched_(switched),
+        material_(material_of(scene, shape.material)) {
+    if (has_back_material()) back_ = material_of(scene, shape.back_material);
+  }
 
   Recipe make();
 
  private:
-  static SceneMaterial material_of(const Scene& scene, const SceneShape& shape) {
-    return shape.material < 0 ? SceneMaterial() : scene.materials[static_cast<std::size_t>(shape.material)];
+  static SceneMaterial material_of(const Scene& scene, int material) {
+    return material < 0 ? SceneMaterial() : scene.materials[static_cast<std::size_t>(material)];
+  }
+  bool has_back_material() const {
+    return shape_.back_material >= 0 && !facts_.solid && facts_.primitive == Primitive::triangles && shape_.shader < 0;
+  }
+  /// Whether the parameter of the material, or of that of the back faces, may differ from `value`.
+  bool may_differ(std::uint32_t SceneMaterial::*parameter, double value) const {
+    return may_differ(material_.*parameter, value) || may_differ(back_.*parameter, value);
   }
 
   const Slot* slot(std::uint32_t index) const { return index == kSceneNoSlot ? nullptr : &scene_.slots[index]; }
@@ -52,7 +66,8 @@ class RecipeMaker {
 
   /// Whether the material's ambient colour may be other than black.
   bool has_ambient() const {
-    return (may_differ(material_.ambient, 0) && may_differ(material_.ambient_color, 0)) || any_fills("material_ambient");
+    const auto is_ambient = [&](const SceneMaterial& m) { return may_differ(m.ambient, 0) && may_differ(m.ambient_color, 0); };
+    return is_ambient(material_) || is_ambient(back_) || any_fills("material_ambient");
   }
   /// A matrix may give q another value.
   bool may_project(const SceneTextureTransform& transform) const {
@@ -66,6 +81,7 @@ class RecipeMaker {
   bool is_projective(std::size_t number) const;
   bool is_read(TextureRole role, const Recipe& recipe) const;
   bool needs_vertex_eye(const Recipe& recipe) const;
+  void take_style(Recipe& recipe) const;
 
   const Scene& scene_;
   const SceneShape& shape_;
@@ -73,6 +89,7 @@ class RecipeMaker {
   const std::vector<EffectCode>& codes_;
   const SwitchedParts& switched_;
   SceneMaterial material_;
+  SceneMaterial back_;  // no slots where it is the same
 };
 
 bool RecipeMaker::any_effect(auto predicate) const {
@@ -170,6 +187,19 @@ bool RecipeMaker::needs_vertex_eye(const Recipe& recipe) const {
   return by_lights || by_plugs || any_effect([](const EffectCode& code) { return code.uses("castle_vertex_eye"); });
 }
 
+/// What of the shape's style its primitives show. Behind a geometry shader there are others, of which nothing is known.
+void RecipeMaker::take_style(Recipe& recipe) const {
+  const SceneStyle& style = shape_.style;
+  recipe.alpha_cutoff = recipe.alpha_test && may_differ(shape_.alpha_cutoff, 0.5);
+  recipe.clip_planes = static_cast<std::uint32_t>(shape_.clip_planes.size());
+  if (has_geometry_shader()) return;
+  if (facts_.primitive == Primitive::points) recipe.point_size = style.point_size != kSceneNoSlot && recipe.shader < 0;
+  if (facts_.primitive == Primitive::lines) recipe.line_type = style.line_type;
+  if (facts_.primitive != Primitive::triangles) return;
+  recipe.filled = style.filled;
+  recipe.hatch = style.hatch;
+}
+
 Recipe RecipeMaker::make() {
   Recipe recipe;
   recipe.shader = shape_.shader;
@@ -178,7 +208,9 @@ Recipe RecipeMaker::make() {
   recipe.physical = recipe.lit && material_.lighting == Lighting::physical && shape_.shader < 0;
   const bool has_further_textures =
       std::ranges::any_of(shape_.textures, [](const TextureUse& use) { return use.role != TextureRole::main; });
-  const bool per_fragment = !shape_.receives.empty() || shape_.shader >= 0 || recipe.physical || has_further_textures;
+  recipe.back_material = has_back_material();
+  const bool per_fragment =
+      !shape_.receives.empty() || shape_.shader >= 0 || recipe.physical || has_further_textures || recipe.back_material;
   recipe.gouraud = shape_.shading == Shading::gouraud && !per_fragment;
   if (recipe.lit || recipe.shader >= 0) {
     for (const int index : shape_.lights) recipe.lights.push_back(light(index));
@@ -189,17 +221,18 @@ Recipe RecipeMaker::make() {
   recipe.two_sided = !facts_.solid && recipe.normals;
   recipe.color_per_vertex = facts_.has_colors;
   recipe.alpha_test = facts_.alpha_test;
-  const bool shines = (may_differ(material_.specular, 0) && may_differ(material_.shininess, -1)) ||
+  const bool shines = (may_differ(&SceneMaterial::specular, 0) && may_differ(&SceneMaterial::shininess, -1)) ||
                       any_fills("material_specular") || any_fills("material_light_specular");
   const bool phong = recipe.lit && !recipe.physical;
   recipe.specular = phong && has_light && shines;
-  recipe.emissive = recipe.lit && (may_differ(material_.emissive, 0) || any_fills("material_emissive"));
+  recipe.emissive = recipe.lit && (may_differ(&SceneMaterial::emissive, 0) || any_fills("material_emissive"));
   recipe.ambient = phong && (has_ambient() || any_fills("material_light_ambient"));
   for (std::size_t i = 0; i < shape_.textures.size(); ++i) recipe.textures.push_back(texture(i, recipe));
   if (shape_.fog >= 0) recipe.fog = scene_.fogs[static_cast<std::size_t>(shape_.fog)].kind;
   recipe.fog_coord = facts_.has_fog_coords;
   recipe.vertex_eye = needs_vertex_eye(recipe);
   if (has_geometry_shader()) recipe.primitive = facts_.primitive;
+  take_style(recipe);
   recipe.guarded.assign(switched_.effects_guarded.begin(), switched_.effects_guarded.end());
   while (!recipe.lights.empty() && recipe.lights.back().off) recipe.lights.pop_back();  // nobody is numbered behind them
   return recipe;
@@ -264,6 +297,7 @@ void take_deciders(const Recipe& recipe, const std::vector<EffectCode>& codes, b
   depth.two_sided = recipe.two_sided && depth.normals;
   depth.color_per_vertex = recipe.color_per_vertex;
   depth.alpha_test = recipe.alpha_test;
+  depth.alpha_cutoff = recipe.alpha_cutoff;
   depth.vertex_eye = recipe.vertex_eye && by_effects;
   depth.textures = recipe.textures;
   for (TextureRecipe& texture : depth.textures) {
@@ -288,6 +322,7 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
   std::ranges::copy_if(recipe.guarded, std::back_inserter(depth.guarded),
                        [&](int effect) { return std::ranges::find(taken, effect) != taken.end(); });
   depth.of_point_light = of_point_light;
+  depth.clip_planes = recipe.clip_planes;
   depth.vertex_eye = depth.vertex_eye || of_point_light;
   if (has_geometry) depth.primitive = recipe.primitive;
   return depth;

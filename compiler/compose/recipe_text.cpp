@@ -43,8 +43,15 @@ void append_base(std::string& text, const Recipe& recipe) {
                         {recipe.fog == FogKind::exponential, " exponential_fog"},
                         {recipe.fog != FogKind::none && recipe.fog_coord, " fog_coord"},
                         {recipe.primitive == Primitive::points, " points"},
-                        {recipe.primitive == Primitive::lines, " lines"}};
+                        {recipe.primitive == Primitive::lines, " lines"},
+                        {recipe.back_material, " back_material"},
+                        {recipe.alpha_cutoff, " alpha_cutoff"},
+                        {recipe.point_size, " point_size"},
+                        {!recipe.filled, " unfilled"}};
   append_words(text, words);
+  if (recipe.line_type != 1) text += fmt::format(" line_type {}", recipe.line_type);
+  if (recipe.hatch != 0) text += fmt::format(" hatch {}", recipe.hatch);
+  if (recipe.clip_planes != 0) text += fmt::format(" clip_planes {}", recipe.clip_planes);
 }
 
 void append_light(std::string& text, const LightRecipe& light) {
@@ -108,7 +115,9 @@ std::string_view generator_text(CoordGenerator generator) {
                                               " sphere_reflect_local",
                                               " world_space_normal",
                                               " world_space_reflection",
-                                              " projection"};
+                                              " projection",
+                                              " noise",
+                                              " noise_eye"};
   return kGenerators[static_cast<std::size_t>(generator)];
 }
 

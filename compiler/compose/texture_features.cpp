@@ -99,12 +99,13 @@ void insert_combination(Features& features, const TextureCombination& how) {
 Features coordinate_features(const TextureRecipe& texture) {
   constexpr std::string_view kGenerators[] = {
       "OF_MESH", "SPHERE",         "CAMERA_SPACE_NORMAL",  "CAMERA_SPACE_POSITION", "CAMERA_SPACE_REFLECTION", "SPHERE_LOCAL",
-      "COORD",   "SPHERE_REFLECT", "SPHERE_REFLECT_LOCAL", "WORLD_SPACE_NORMAL",    "WORLD_SPACE_REFLECTION",  "PROJECTION"};
+      "COORD",   "SPHERE_REFLECT", "SPHERE_REFLECT_LOCAL", "WORLD_SPACE_NORMAL",    "WORLD_SPACE_REFLECTION",  "PROJECTION",
+      "NOISE",   "NOISE"};
   using enum CoordGenerator;
   const CoordGenerator g = texture.generator;
   Features features{kGenerators[static_cast<std::size_t>(g)]};
   const Choice choices[] = {{texture.matrix, "TEXTURE_MATRIX"},
-                            {g == sphere_local || g == coord || g == sphere_reflect_local, "IN_OBJECT_SPACE"},
+                            {g == sphere_local || g == coord || g == sphere_reflect_local || g == noise, "IN_OBJECT_SPACE"},
                             {g == world_space_normal || g == world_space_reflection, "IN_WORLD_SPACE"},
                             {g == sphere_reflect || g == sphere_reflect_local, "PARAMETER"}};
   insert_chosen(features, choices);

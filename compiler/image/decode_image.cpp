@@ -15,6 +15,8 @@ namespace {
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kJpegSignature = "\xff\xd8\xff";
 constexpr std::string_view kDdsSignature = "DDS ";
+constexpr std::string_view kGifSignature = "GIF8";
+constexpr std::string_view kBmpSignature = "BM";
 
 // Deflate packs at most 1032:1 and a one-bit image is expanded eightfold; JPEG stays below that.
 constexpr std::size_t kMaxExpansion = 8 * 1032;
@@ -30,8 +32,10 @@ DecodedImage decode_by_content(std::string_view bytes, ImageDetail detail) {
   }
   if (bytes.starts_with(kJpegSignature)) return decode_jpeg(bytes, detail);
   if (bytes.starts_with(kDdsSignature)) return decode_dds(bytes);
+  if (bytes.starts_with(kGifSignature)) return decode_gif(bytes);
+  if (bytes.starts_with(kBmpSignature)) return decode_bmp(bytes);
   if (is_tga(bytes)) return decode_tga(bytes);
-  return {{}, "it is none of PNG, JPEG, DDS and TGA; convert it to one of them"};
+  return {{}, "it is none of PNG, JPEG, GIF, BMP, DDS and TGA; convert it to one of them"};
 }
 
 }  // namespace

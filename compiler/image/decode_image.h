@@ -23,6 +23,9 @@ std::optional<Image> scan_png(std::string_view bytes);
 DecodedImage decode_jpeg(std::string_view bytes, ImageDetail detail);
 /// Pictures, volumes and cube maps in DirectDraw surfaces of 8 bits a channel. Mipmaps are passed over.
 DecodedImage decode_dds(std::string_view bytes);
+/// The first picture of a GIF.
+DecodedImage decode_gif(std::string_view bytes);
+DecodedImage decode_bmp(std::string_view bytes);
 /// Whether the bytes may be a TGA picture of a kind that is read: the format has no signature, so all others are asked first.
 bool is_tga(std::string_view bytes);
 DecodedImage decode_tga(std::string_view bytes);

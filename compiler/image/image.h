@@ -27,7 +27,8 @@ struct Image {
 /// What of an image is wanted: all, or all but the pixels. The file is checked as closely for either.
 enum class ImageDetail : std::uint8_t { pixels, facts };
 
-/// Decodes PNG, JPEG, DDS or TGA, told apart by content. A broken file is reported at `span` and gives nullopt.
+/// Decodes PNG, JPEG, GIF (its first picture), BMP, DDS or TGA, told apart by content. A broken file is reported at `span` and
+/// gives nullopt.
 std::optional<Image> decode_image(std::string_view bytes, std::string_view name, const Span& span, Diagnostics& diagnostics,
                                   ImageDetail detail = ImageDetail::pixels);
 

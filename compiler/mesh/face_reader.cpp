@@ -37,6 +37,7 @@ FaceReader::FaceReader(const GeometrySource& source, std::vector<glm::vec3> coor
   faces.colors_have_alpha = colors.have_alpha;
   faces.tex_units = read_tex_units(source);
   faces.fog_coords = read_fog_coords(source, faces.coords.size());
+  faces.attributes = read_attributes(source, faces.coords.size());
   faces.normal_per_vertex = boolean_or(source, "normalPerVertex", true);
   faces.ccw = boolean_or(source, "ccw", true);
   faces.solid = boolean_or(source, "solid", true);

@@ -11,6 +11,7 @@
 
 #include "base/limits.h"
 #include "mesh/box_texture.h"
+#include "mesh/mesh_attribute.h"
 #include "mesh/triangulate.h"
 
 namespace plugc {
@@ -131,6 +132,18 @@ void fill_tex_coords(Mesh& mesh, const FaceSet& faces, std::span<const Corner> v
   }
 }
 
+void fill_attributes(Mesh& mesh, const FaceSet& faces, std::span<const Corner> vertices) {
+  for (const MeshAttribute& by_coord : faces.attributes) {
+    MeshAttribute& attribute = mesh.attributes.emplace_back(by_coord);
+    attribute.values.clear();
+    attribute.values.reserve(vertices.size() * number_count(by_coord));
+    for (const Corner& vertex : vertices) {
+      const std::span<const float> numbers = numbers_at(by_coord, vertex.coord);
+      attribute.values.insert(attribute.values.end(), numbers.begin(), numbers.end());
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<Mesh> mesh_of_faces(FaceSet faces, const GeometrySource& source) {
@@ -153,6 +166,7 @@ std::optional<Mesh> mesh_of_faces(FaceSet faces, const GeometrySource& source) {
     if (!faces.fog_coords.empty()) mesh.fog_coords.push_back(faces.fog_coords[vertex.coord]);
   }
   fill_tex_coords(mesh, faces, triangulator.vertices());
+  fill_attributes(mesh, faces, triangulator.vertices());
   return mesh;
 }
 

@@ -31,6 +31,7 @@ struct FaceSet {
   std::vector<std::vector<glm::vec4>> tex_units;  ///< An empty unit gets `default_tex`.
   std::vector<glm::vec4> default_tex;             ///< By coord; empty: the box texture.
   std::vector<float> fog_coords;                  ///< By coord; empty: none.
+  std::vector<MeshAttribute> attributes;          ///< By coord.
   bool colors_have_alpha = false;
 
   float crease_angle = 0;         ///< For generated normals; pi smooths everything.

@@ -33,5 +33,12 @@ std::optional<Mesh> make_triangles(const GeometrySource& source);  ///< Triangle
 std::optional<Mesh> make_lines(const GeometrySource& source);      ///< IndexedLineSet, LineSet.
 std::optional<Mesh> make_points(const GeometrySource& source);
 std::optional<Mesh> make_text(const GeometrySource& source);
+std::optional<Mesh> make_extrusion(const GeometrySource& source);
+std::optional<Mesh> make_arc(const GeometrySource& source);         ///< Arc2D, Circle2D.
+std::optional<Mesh> make_closed_arc(const GeometrySource& source);  ///< ArcClose2D.
+std::optional<Mesh> make_disk(const GeometrySource& source);
+std::optional<Mesh> make_polyline(const GeometrySource& source);
+std::optional<Mesh> make_polypoint(const GeometrySource& source);
+std::optional<Mesh> make_triangle_set_2d(const GeometrySource& source);
 
 }  // namespace plugc

@@ -1,5 +1,5 @@
 // IndexedLineSet, LineSet and PointSet (X3D 4.1, 11.4). A polyline of n points becomes n - 1 segments; each segment has two
-// vertices of its own, so that colours per line need no special case. Lines and points have no normals: they are unlit.
+// vertices of its own, so that colours per line need no special case. Without normals of their own they are unlit.
 
 #include <cmath>
 
@@ -9,6 +9,7 @@
 #include "mesh/box_texture.h"
 #include "mesh/geometry.h"
 #include "mesh/lists.h"
+#include "mesh/mesh_attribute.h"
 
 namespace plugc {
 
@@ -18,8 +19,15 @@ namespace {
 class LineBuilder {
  public:
   explicit LineBuilder(const GeometrySource& source)
-      : source_(source), coords_(read_coords(source)), colors_(read_colors(source)) {
+      : source_(source),
+        coords_(read_coords(source)),
+        colors_(read_colors(source)),
+        normals_(read_normals(source)),
+        fog_coords_(read_fog_coords(source, coords_.size())),
+        attributes_(read_attributes(source, coords_.size())) {
     mesh.colors_have_alpha = colors_.have_alpha;
+    for (const MeshAttribute& by_coord : attributes_)
+      mesh.attributes.push_back({by_coord.name, by_coord.columns, by_coord.components, {}});
     mesh.solid = false;
   }
 
@@ -35,7 +43,13 @@ class LineBuilder {
     for (const End& end : ends) {
       mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
       mesh.positions.push_back(coords_[static_cast<std::size_t>(end.coord)]);
+      if (!normals_.empty()) mesh.normals.push_back(normals_[static_cast<std::size_t>(end.coord)]);
       if (!colors_.colors.empty()) mesh.colors.push_back(colors_.colors[static_cast<std::size_t>(end.color)]);
+      if (!fog_coords_.empty()) mesh.fog_coords.push_back(fog_coords_[static_cast<std::size_t>(end.coord)]);
+      for (std::size_t i = 0; i < attributes_.size(); ++i) {
+        const std::span<const float> numbers = numbers_at(attributes_[i], static_cast<std::size_t>(end.coord));
+        mesh.attributes[i].values.insert(mesh.attributes[i].values.end(), numbers.begin(), numbers.end());
+      }
     }
   }
 
@@ -50,6 +64,7 @@ class LineBuilder {
   bool is_usable(const End& end) {
     if (mesh.positions.size() > kMaxMeshVertices) return false;  // reported for the whole mesh
     if (!is_in(end.coord, coords_.size(), "coord")) return false;
+    if (!normals_.empty() && !is_in(end.coord, normals_.size(), "normal")) return false;
     if (!colors_.colors.empty() && !is_in(end.color, colors_.colors.size(), "color")) return false;
     const glm::vec3& point = coords_[static_cast<std::size_t>(end.coord)];
     return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
@@ -67,6 +82,9 @@ class LineBuilder {
   const GeometrySource& source_;
   std::vector<glm::vec3> coords_;
   ColorList colors_;
+  std::vector<glm::vec3> normals_;  // by coord
+  std::vector<float> fog_coords_;
+  std::vector<MeshAttribute> attributes_;  // by coord
   bool reported_ = false;
 };
 

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "mesh/mesh_attribute.h"
+
 namespace plugc {
 
 namespace {
@@ -36,6 +38,17 @@ std::vector<glm::vec4> read_tex_unit(const NodeGraph& graph, NodeId node) {
   if (graph.is(node, "TextureCoordinate3D")) return padded<3>(graph.field(node, "point").numbers, missing);
   if (graph.is(node, "TextureCoordinate4D")) return padded<4>(graph.field(node, "point").numbers, missing);
   return {};
+}
+
+// Of what size an attribute's values are; no columns for a node of another kind.
+MeshAttribute attribute_type(const NodeGraph& graph, NodeId node) {
+  MeshAttribute attribute{std::string(graph.string(node, "name")), 0, 0, {}};
+  if (graph.is(node, "Matrix3VertexAttribute")) attribute.columns = attribute.components = 3;
+  if (graph.is(node, "Matrix4VertexAttribute")) attribute.columns = attribute.components = 4;
+  if (!graph.is(node, "FloatVertexAttribute")) return attribute;
+  attribute.columns = 1;
+  attribute.components = static_cast<std::uint8_t>(std::clamp(graph.integer(node, "numComponents"), 1, 4));
+  return attribute;
 }
 
 }  // namespace
@@ -76,6 +89,30 @@ std::vector<float> read_fog_coords(const GeometrySource& source, std::size_t coo
   std::vector<float> result(coord_count, static_cast<float>(depths.back()));
   for (std::size_t i = 0; i < std::min(depths.size(), coord_count); ++i) result[i] = static_cast<float>(depths[i]);
   return result;
+}
+
+std::vector<MeshAttribute> read_attributes(const GeometrySource& source, std::size_t coord_count) {
+  std::vector<MeshAttribute> attributes;
+  if (!source.graph.has_field(source.node, "attrib")) return attributes;
+  for (const NodeId node : source.graph.children(source.node, "attrib")) {
+    if (!source.graph.is(node, "X3DVertexAttributeNode")) continue;
+    MeshAttribute attribute = attribute_type(source.graph, node);
+    const bool is_known = std::ranges::find(attributes, attribute.name, &MeshAttribute::name) != attributes.end();
+    if (attribute.columns == 0 || attribute.name.empty() || is_known) continue;
+    const std::span<const double> numbers = source.graph.field(node, "value").numbers;
+    const std::size_t size = number_count(attribute);
+    attribute.values.resize(coord_count * size);
+    for (std::size_t i = 0; i < std::min(numbers.size(), attribute.values.size()); ++i)
+      attribute.values[i] = static_cast<float>(numbers[i]);
+    if (numbers.size() / size < coord_count) {
+      source.diagnostics.report(
+          DiagnosticId::geometry_invalid, source.graph.field_span(node, "value"),
+          fmt::format("`value` of attribute `{}` is for {} points, but there are {}; zeros stand for the rest", attribute.name,
+                      numbers.size() / size, coord_count));
+    }
+    attributes.push_back(std::move(attribute));
+  }
+  return attributes;
 }
 
 std::vector<std::vector<glm::vec4>> read_tex_units(const GeometrySource& source) {

@@ -24,6 +24,10 @@ ColorList read_colors(const GeometrySource& source);
 /// without one.
 std::vector<float> read_fog_coords(const GeometrySource& source, std::size_t coord_count);
 
+/// The attributes of authors' shaders that the node's `attrib` holds, a value for each of its coords (X3D 4.1, 31.4.2). Too few
+/// are reported, and zeros stand for those that are missing.
+std::vector<MeshAttribute> read_attributes(const GeometrySource& source, std::size_t coord_count);
+
 /// The node's `texCoord`, one list a unit. The list of a unit that is NULL or generated is empty.
 std::vector<std::vector<glm::vec4>> read_tex_units(const GeometrySource& source);
 

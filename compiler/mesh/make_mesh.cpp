@@ -41,6 +41,14 @@ constexpr Maker kMakers[] = {
     {"LineSet", make_lines},
     {"PointSet", make_points},
     {"Text", make_text},
+    {"Extrusion", make_extrusion},
+    {"Arc2D", make_arc},
+    {"Circle2D", make_arc},
+    {"ArcClose2D", make_closed_arc},
+    {"Disk2D", make_disk},
+    {"Polyline2D", make_polyline},
+    {"Polypoint2D", make_polypoint},
+    {"TriangleSet2D", make_triangle_set_2d},
 };
 
 bool is_finite(const glm::vec3& v) {

@@ -4,13 +4,15 @@
 //
 //     minor axis    FIRST: first baseline at 0    BEGIN: block below 0    MIDDLE: half of it above    END: block above 0
 //
+// Lines that go up (topToBottom FALSE) turn that around, and characters from right to left (leftToRight FALSE) begin at the
+// right end. With `horizontal FALSE` lines are columns: a glyph stands in the middle of a square of one `size`, squares below
+// (or, topToBottom FALSE, above) each other, columns from left to right (or right to left); the minor axis is x.
+//
 // S and T start at the origin of the first line and count units of `size`. Two vertices that no triangle uses stretch the
 // mesh's box to the full height and length of the lines, blanks included.
 
 #include <algorithm>
 #include <string>
-
-#include <fmt/format.h>
 
 #include "base/limits.h"
 #include "mesh/geometry.h"
@@ -24,6 +26,7 @@ struct Style {
   std::string family = "SERIF", style = "PLAIN";
   std::string major = "BEGIN", minor = "FIRST";
   float size = 1, spacing = 1;
+  bool horizontal = true, left_to_right = true, top_to_bottom = true;
 };
 
 std::string upper_case(std::string text) {
@@ -47,12 +50,9 @@ Style style_of(const GeometrySource& source) {
   style.minor = string_at(graph.field(node, "justify").strings, 1, style.minor);
   style.size = static_cast<float>(graph.number(node, "size"));
   style.spacing = static_cast<float>(graph.number(node, "spacing"));
-  for (const std::string_view direction : {"horizontal", "leftToRight", "topToBottom"}) {
-    if (!graph.boolean(node, direction))
-      source.diagnostics.report(
-          DiagnosticId::not_drawn, graph.field_span(node, direction),
-          fmt::format("plugc sets text from left to right and from top to bottom whatever `{}` says", direction));
-  }
+  style.horizontal = graph.boolean(node, "horizontal");
+  style.left_to_right = graph.boolean(node, "leftToRight");
+  style.top_to_bottom = graph.boolean(node, "topToBottom");
   return style;
 }
 
@@ -97,24 +97,24 @@ class TextSetter {
   TextSetter(const GeometrySource& source, const Style& style, Font& font)
       : source_(source), style_(style), font_(font), scale_(style.size / (font.ascent() + font.descent())) {
     mesh.tex_coords.resize(1);
-    mesh.solid = false;
+    mesh.solid = source.graph.boolean(source.node, "solid");
   }
 
   void set_all() {
     const std::vector<Line> lines = read_lines();
     if (lines.empty()) return;
-    origin_ = {-lines[0].length * shift_share(style_.major), first_baseline(lines.size())};
-    glm::vec2 low = origin_, high = origin_;
+    origin_ = start_of(lines[0], 0, lines.size());
+    low_ = high_ = origin_;
     for (std::size_t i = 0; i < lines.size() && mesh.positions.size() <= kMaxMeshVertices; ++i) {
-      const glm::vec2 start{-lines[i].length * shift_share(style_.major),
-                            origin_.y - static_cast<float>(i) * style_.spacing * style_.size};
-      set_line(lines[i], start);
-      low = glm::min(low, start - glm::vec2(0, (font_.descent() - 1) * scale_));
-      high = glm::max(high, start + glm::vec2(lines[i].length, (font_.ascent() + 1) * scale_));
+      const glm::vec2 start = start_of(lines[i], i, lines.size());
+      if (style_.horizontal)
+        set_line(lines[i], start);
+      else
+        set_column(lines[i], start);
     }
     if (mesh.indices.empty()) return;
-    add_vertex(low);
-    add_vertex(high);
+    add_vertex(low_);
+    add_vertex(high_);
   }
 
   Mesh mesh;
@@ -126,7 +126,9 @@ class TextSetter {
     const std::span<const double> lengths = source_.graph.field(source_.node, "length").numbers;
     for (const MappedText& text : source_.graph.field(source_.node, "string").strings) {
       Line& line = lines.emplace_back(Line{code_points(text.text())});
-      for (const std::uint32_t character : line.characters) line.length += font_.glyph(character).advance * scale_;
+      for (const std::uint32_t character : line.characters)
+        line.length += style_.horizontal ? font_.glyph(character).advance * scale_ : style_.size;
+      if (style_.horizontal ? !style_.left_to_right : !style_.top_to_bottom) std::ranges::reverse(line.characters);
       const std::size_t index = lines.size() - 1;
       if (index < lengths.size() && lengths[index] > 0) stretch(line, static_cast<float>(lengths[index]));
       longest = std::max(longest, line.length);
@@ -143,22 +145,60 @@ class TextSetter {
     line.length = length;
   }
 
+  /// From the foot of a y to the head of a W: what of it lies above the baseline.
+  float head_share() const { return (font_.ascent() + 1) / (font_.ascent() + font_.descent()); }
+
   float first_baseline(std::size_t lines) const {
     if (style_.minor == "FIRST") return 0;
-    const float head = (font_.ascent() + 1) / (font_.ascent() + font_.descent());
-    return (static_cast<float>(lines) * shift_share(style_.minor) - head) * style_.spacing * style_.size;
+    const float share = static_cast<float>(lines) * shift_share(style_.minor);
+    const float shift = style_.top_to_bottom ? share - head_share() : 1 - head_share() - share;
+    return shift * style_.spacing * style_.size;
+  }
+
+  /// The left end of a line's baseline, or the upper left corner of a column.
+  glm::vec2 start_of(const Line& line, std::size_t index, std::size_t count) const {
+    const float step = style_.spacing * style_.size, share = shift_share(style_.major);
+    const auto place = static_cast<float>(index);
+    if (style_.horizontal)
+      return {-line.length * (style_.left_to_right ? share : 1 - share),
+              first_baseline(count) + (style_.top_to_bottom ? -place : place) * step};
+    const float shift = static_cast<float>(count) * shift_share(style_.minor);
+    return {(style_.left_to_right ? place - shift : shift - place - 1) * step,
+            line.length * (style_.top_to_bottom ? share : 1 - share)};
+  }
+
+  void cover(const glm::vec2& low, const glm::vec2& high) {
+    low_ = glm::min(low_, low);
+    high_ = glm::max(high_, high);
   }
 
   void set_line(const Line& line, glm::vec2 pen) {
+    cover(pen - glm::vec2(0, (font_.descent() - 1) * scale_), pen + glm::vec2(line.length, (font_.ascent() + 1) * scale_));
     const glm::vec2 scale{scale_ * line.stretch, scale_};
     for (const std::uint32_t character : line.characters) {
       const Glyph& glyph = font_.glyph(character);
-      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-      if (first > kMaxMeshVertices) return;  // reported for the whole mesh
-      for (const glm::vec2& point : glyph.points) add_vertex(pen + (point + glm::vec2(0, 1)) * scale);
-      for (const std::uint32_t index : glyph.triangles) mesh.indices.push_back(first + index);
+      set_glyph(glyph, pen, scale);
       pen.x += glyph.advance * scale.x;
     }
+  }
+
+  void set_column(const Line& line, glm::vec2 corner) {
+    cover(corner - glm::vec2(0, line.length), corner + glm::vec2(style_.size, 0));
+    const glm::vec2 scale{scale_, scale_ * line.stretch};
+    const float cell = style_.size * line.stretch;
+    for (const std::uint32_t character : line.characters) {
+      const Glyph& glyph = font_.glyph(character);
+      const glm::vec2 baseline{(style_.size - glyph.advance * scale.x) / 2, -head_share() * cell};
+      set_glyph(glyph, corner + baseline, scale);
+      corner.y -= cell;
+    }
+  }
+
+  void set_glyph(const Glyph& glyph, const glm::vec2& pen, const glm::vec2& scale) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    if (first > kMaxMeshVertices) return;  // reported for the whole mesh
+    for (const glm::vec2& point : glyph.points) add_vertex(pen + (point + glm::vec2(0, 1)) * scale);
+    for (const std::uint32_t index : glyph.triangles) mesh.indices.push_back(first + index);
   }
 
   void add_vertex(const glm::vec2& position) {
@@ -172,7 +212,7 @@ class TextSetter {
   const Style& style_;
   Font& font_;
   float scale_;  // from font pixels to units
-  glm::vec2 origin_{0};
+  glm::vec2 origin_{0}, low_{0}, high_{0};
 };
 
 }  // namespace

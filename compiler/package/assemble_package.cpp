@@ -10,8 +10,10 @@
 #include <unordered_map>
 
 #include "compose/castle_names.h"
+#include "package/pack_attributes.h"
 #include "package/pack_geometry.h"
 #include "package/pack_program.h"
+#include "package/pack_style.h"
 
 namespace plugc {
 namespace {
@@ -104,7 +106,7 @@ bool are_equal(const PackedMeshT& a, const PackedMeshT& b) {
            std::tuple(y.semantic(), y.unit(), y.components(), y.offset());
   };
   return a.topology == b.topology && a.stride == b.stride && std::ranges::equal(a.streams, b.streams, streams_equal) &&
-         a.vertices == b.vertices && a.indices == b.indices;
+         a.vertices == b.vertices && a.indices == b.indices && are_equal(a.attributes, b.attributes);
 }
 
 template <typename T>
@@ -363,6 +365,8 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
     packed->bounds_min = std::make_unique<PackedVec3>(shape.bounds->min.x, shape.bounds->min.y, shape.bounds->min.z);
     packed->bounds_max = std::make_unique<PackedVec3>(shape.bounds->max.x, shape.bounds->max.y, shape.bounds->max.z);
   }
+  const Recipe& recipe = parts.programs[static_cast<std::size_t>(plan.variants.front().program)].used;
+  pack_style(shape, recipe.point_size, *packed);
   packed->projected_coords = pack_projected_coords({parts.scene, shape, where.textures}, units_read(parts, plan));
   for (const ReceivedShadow& shadow : shape.receives) packed->receives.push_back(static_cast<std::uint32_t>(shadow.shadow_map));
   return packed;
@@ -398,6 +402,7 @@ void Assembler::add_scene(SceneParts& parts) {
   packed->background_color = scene.background_color;
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
+  pack_clip_planes(scene, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
   for (const SceneProjector& projector : scene.projectors) packed->projectors.push_back(pack_viewpoint(projector.viewpoint));

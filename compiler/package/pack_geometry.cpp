@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "package/pack_attributes.h"
+
 namespace plugc {
 namespace {
 
@@ -69,6 +71,7 @@ std::unique_ptr<PackedMeshT> pack_mesh(const Mesh& mesh, std::uint32_t units) {
   const std::uint32_t color = mesh.colors.empty() ? 0 : writer.add_stream(PackedSemantic::color, 0, 4);
   const std::uint32_t tangent = mesh.tangents.empty() ? 0 : writer.add_stream(PackedSemantic::tangent, 0, 4);
   const std::uint32_t fog = mesh.fog_coords.empty() ? 0 : writer.add_stream(PackedSemantic::fog_coord, 0, 1);
+  add_mesh_attributes(mesh, *packed);
   writer.allocate();
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     writer.write(v, position, &mesh.positions[v].x, 3);
@@ -80,6 +83,7 @@ std::unique_ptr<PackedMeshT> pack_mesh(const Mesh& mesh, std::uint32_t units) {
     if (!mesh.tangents.empty()) writer.write(v, tangent, &mesh.tangents[v].x, 4);
     if (!mesh.fog_coords.empty()) writer.write(v, fog, &mesh.fog_coords[v], 1);
   }
+  write_mesh_attributes(mesh, *packed);
   set_bounds(mesh, *packed);
   return packed;
 }

@@ -10,6 +10,8 @@
 #include "compose/castle_names.h"
 #include "compose/check_fields.h"
 #include "compose/sampler_type.h"
+#include "package/pack_attributes.h"
+#include "package/pack_style.h"
 #include "package/target_variables.h"
 
 namespace plugc {
@@ -41,23 +43,6 @@ PackedUniformType pack_type(std::string_view type) {
 
 std::int32_t pack_number(std::uint32_t number) {
   return number > INT32_MAX ? -1 : static_cast<std::int32_t>(number);
-}
-
-std::unique_ptr<PackedAttributeT> pack_attribute(const ReflectedVariable& variable) {
-  auto attribute = std::make_unique<PackedAttributeT>();
-  attribute->name = variable.name;
-  attribute->location = pack_number(variable.location);
-  attribute->semantic = PackedSemantic::custom;
-  if (variable.name == "castle_Vertex") attribute->semantic = PackedSemantic::position;
-  if (variable.name == "castle_Normal") attribute->semantic = PackedSemantic::normal;
-  if (variable.name == "castle_ColorPerVertex") attribute->semantic = PackedSemantic::color;
-  if (variable.name == "castle_FogCoord") attribute->semantic = PackedSemantic::fog_coord;
-  if (variable.name == "castle_Tangent") attribute->semantic = PackedSemantic::tangent;
-  if (variable.name.starts_with("castle_MultiTexCoord")) {
-    attribute->semantic = PackedSemantic::tex_coord;
-    attribute->unit = static_cast<std::uint8_t>(std::max(find_castle_name(variable.name).value_or(CastleName{}).number, 0));
-  }
-  return attribute;
 }
 
 std::unique_ptr<PackedTargetProgramT> pack_target(const ValidatedProgram& program, SourceList& sources) {
@@ -284,8 +269,10 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::texture_projector: return bind_projector(index, use.projector);
     case CastleSource::multi_texture_color:
       return add(index, PackedSource::color_and_alpha, c_.shape.multi_color, c_.shape.multi_alpha);
-    default: return bind_material(index, name.source);
+    default: break;
   }
+  if (const auto style = bind_style(index, name, c_)) bindings_.push_back(*style);
+  bind_material(index, name.source);
 }
 
 /// A uniform under which the code of a switched effect or light stands.
@@ -379,7 +366,7 @@ std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::str
   for (const TargetProgram& target : recipe.targets) packed->targets.push_back(pack_target(target.program, sources));
   const TargetProgram& first = recipe.targets.front();
   for (const UniformOfTargets& uniform : all_uniforms(recipe)) packed->uniforms.push_back(pack_uniform(uniform));
-  for (const ReflectedVariable& variable : all_attributes(recipe)) packed->attributes.push_back(pack_attribute(variable));
+  packed->attributes = pack_attributes(all_attributes(recipe));
   packed->plugs_filled = first.composed.plugs_filled;
   packed->plugs_empty = first.composed.plugs_empty;
   return packed;

@@ -34,6 +34,17 @@ bool check_vertices(PackageCheck& check, const PackedMesh& mesh, const Place& pl
          check.fail(place, "its vertices are not aligned");
 }
 
+bool check_attribute(PackageCheck& check, const PackedMeshAttribute& attribute, std::uint32_t stride, const Place& place) {
+  constexpr std::uint32_t kMost = 4;
+  const auto is_count = [](std::uint32_t count) { return count >= 1 && count <= kMost; };
+  if (!is_count(attribute.columns()) || !is_count(attribute.components()))
+    return check.fail(place, "it has not 1 to 4 columns of 1 to 4 components");
+  const std::uint64_t end = std::uint64_t{attribute.offset()} + attribute.columns() * attribute.components() * sizeof(float);
+  const bool fits = attribute.offset() % sizeof(float) == 0 && end <= stride;
+  return fits ||
+         check.fail(place, fmt::format("bytes {} to {} do not fit into a vertex of {}", attribute.offset(), end, stride));
+}
+
 }  // namespace
 
 bool is_aligned(const void* data, std::size_t alignment) {
@@ -45,7 +56,12 @@ bool check_mesh(PackageCheck& check, const PackedMesh& mesh, const Place& place)
   if (mesh.bounds_min() == nullptr || mesh.bounds_max() == nullptr) return check.fail(place, "it has no bounds");
   if (!check_vertices(check, mesh, place)) return false;
   if (mesh.indices()->size() % corners(mesh.topology()) != 0) return check.fail(place, "its last primitive is cut short");
-  return check.each(&place, "stream", *mesh.streams(), [&](const PackedStream* stream, const Place& at) {
+  const bool attributes_fit =
+      mesh.attributes() == nullptr ||
+      check.each(&place, "attribute", *mesh.attributes(), [&](const PackedMeshAttribute* attribute, const Place& at) {
+        return check_attribute(check, *attribute, mesh.stride(), at);
+      });
+  return attributes_fit && check.each(&place, "stream", *mesh.streams(), [&](const PackedStream* stream, const Place& at) {
     return check_stream(check, *stream, mesh.stride(), at);
   }) && check.each(&place, "index", *mesh.indices(), [&](std::uint32_t index, const Place& at) {
     return check.require_index(at, "vertex", index, mesh.vertex_count());

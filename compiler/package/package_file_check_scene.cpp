@@ -79,6 +79,11 @@ bool check_billboard(SceneCheck& scene, const PackedBillboard& billboard, const 
          scene.present_slot(place, "axis", billboard.axis(), 3);
 }
 
+bool check_clip_plane(SceneCheck& scene, const PackedClipPlane& plane, const Place& place) {
+  return scene.transform(place, plane.transform()) && scene.present_slot(place, "plane", plane.plane(), 4) &&
+         scene.present_slot(place, "enabled", plane.enabled(), 1);
+}
+
 bool check_texture_transform(SceneCheck& scene, const PackedTextureTransform& transform, const Place& place) {
   return scene.slot(place, "translation", transform.translation(), 2) &&
          scene.slot(place, "rotation", transform.rotation(), 1) && scene.slot(place, "scale", transform.scale(), 2) &&
@@ -103,6 +108,9 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          (packed.billboards() == nullptr ||
           check.each(&place, "billboard", *packed.billboards(),
                      [&](const PackedBillboard* one, const Place& at) { return check_billboard(scene, *one, at); })) &&
+         (packed.clip_planes() == nullptr ||
+          check.each(&place, "clip plane", *packed.clip_planes(),
+                     [&](const PackedClipPlane* plane, const Place& at) { return check_clip_plane(scene, *plane, at); })) &&
          check.each(&place, "light", *packed.lights(),
                     [&](const PackedLight* light, const Place& at) { return check_light(scene, *light, at); }) &&
          check.each(&place, "shadow map", *packed.shadow_maps(),

@@ -55,6 +55,10 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::light_ambient_color:
     case PackedSource::light_attenuation:
     case PackedSource::light_on: return check.require_index(place, "light", binding.a(), scene.scene.lights()->size());
+    case PackedSource::clip_plane: {
+      const std::size_t planes = scene.scene.clip_planes() == nullptr ? 0 : scene.scene.clip_planes()->size();
+      return check.require_index(place, "clip plane", binding.a(), planes);
+    }
     case PackedSource::model_view_matrix:
     case PackedSource::projection_matrix:
     case PackedSource::model_view_projection_matrix:
@@ -67,7 +71,8 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::screen_color:
     case PackedSource::screen_depth:
     case PackedSource::screen_width:
-    case PackedSource::screen_height: return true;
+    case PackedSource::screen_height:
+    case PackedSource::target_size: return true;
   }
   return check.fail(place, "its source is unknown");
 }
@@ -165,7 +170,10 @@ bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place
   if (!is_enumerator(shape.blend_source()) || !is_enumerator(shape.blend_destination())) {
     return check.fail(place, "its blend factor is unknown");
   }
-  return scene.transform(place, shape.transform()) &&
+  return scene.transform(place, shape.transform()) && scene.slot(place, "line width", shape.line_width(), 1) &&
+         scene.slot(place, "alpha cutoff", shape.alpha_cutoff(), 1) &&
+         scene.slot(place, "blend color", shape.blend_color(), 3) &&
+         scene.slot(place, "blend transparency", shape.blend_transparency(), 1) &&
          check.require_index(place, "mesh", shape.mesh(), check.package.meshes()->size()) &&
          check_programs(scene, shape_programs(shape, 0), place) && check_states(scene, shape, place) &&
          (shape.projected_coords() == nullptr ||

@@ -121,6 +121,11 @@ void dump_mesh(Text& text, const PackedMesh& mesh, std::size_t index) {
     line(text, "  stream {} {}: {} floats at {}", EnumNamePackedSemantic(stream->semantic()), stream->unit(),
          stream->components(), stream->offset());
   }
+  for (flatbuffers::uoffset_t i = 0; mesh.attributes() != nullptr && i < mesh.attributes()->size(); ++i) {
+    const PackedMeshAttribute& attribute = *mesh.attributes()->Get(i);
+    line(text, "  attribute {}: {} x {} floats at {}", quoted(*attribute.name()), attribute.columns(), attribute.components(),
+         attribute.offset());
+  }
   line(text, "  bounds {} to {}", vec3(*mesh.bounds_min()), vec3(*mesh.bounds_max()));
   line(text, "  vertices: {}", sized(*mesh.vertices(), "bytes"));
   line(text, "  indices: {}", sized(*mesh.indices(), "numbers"));
@@ -164,6 +169,22 @@ void dump_billboards(Text& text, const PackedScene& scene) {
   if (scene.billboards() == nullptr) return;
   for (const PackedBillboard* one : *scene.billboards())
     line(text, "  transform {} turns to the viewer about slot {}", one->transform(), one->axis());
+}
+
+void dump_clip_planes(Text& text, const PackedScene& scene) {
+  for (flatbuffers::uoffset_t i = 0; scene.clip_planes() != nullptr && i < scene.clip_planes()->size(); ++i) {
+    const PackedClipPlane& plane = *scene.clip_planes()->Get(i);
+    line(text, "  clip plane {}: transform {}, slots: plane {}, enabled {}", i, plane.transform(), plane.plane(),
+         plane.enabled());
+  }
+}
+
+void dump_style(Text& text, const PackedShape& shape) {
+  if (shape.line_width() != kNoSlot) line(text, "    line width slot {}", shape.line_width());
+  if (shape.alpha_cutoff() != kNoSlot) line(text, "    alpha cutoff slot {}", shape.alpha_cutoff());
+  if (shape.sized_points()) line(text, "    its program sizes points");
+  if (shape.blend_color() != kNoSlot)
+    line(text, "    blend color slot {}, transparency slot {}", shape.blend_color(), slot(shape.blend_transparency()));
 }
 
 void dump_light(Text& text, const PackedLight& light, std::size_t index) {
@@ -247,6 +268,7 @@ void dump_shape(Text& text, const Package& package, const PackedShape& shape, st
     line(text, "    blends {} {}", EnumNamePackedBlendFactor(shape.blend_source()),
          EnumNamePackedBlendFactor(shape.blend_destination()));
   }
+  dump_style(text, shape);
   const auto& maps = *shape.receives();
   if (maps.size() != 0) line(text, "    receives shadow maps {}", fmt::join(maps.data(), maps.data() + maps.size(), " "));
   dump_programs(text, package, shape_programs(shape, 0));
@@ -270,6 +292,7 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   dump_slots(text, scene);
   each(*scene.transforms(), [&](const PackedTransform& transform, std::size_t i) { dump_transform(text, transform, i); });
   dump_billboards(text, scene);
+  dump_clip_planes(text, scene);
   each(*scene.lights(), [&](const PackedLight& light, std::size_t i) { dump_light(text, light, i); });
   each(*scene.shadow_maps(), [&](const PackedShadowMap& map, std::size_t i) { dump_shadow_map(text, package, map, i); });
   each(*scene.texture_transforms(),

@@ -1,6 +1,6 @@
 // Walks the tree from its roots. Each group first looks at its own children for what acts on their siblings too (effects,
-// lights that are not global), then visits them; global lights are handed to every shape at the end. The walk follows
-// each USE anew, since a shape under two parents is two shapes; limits stop what grows without bound.
+// lights that are not global, clip planes), then visits them; global lights are handed to every shape at the end. The walk
+// follows each USE anew, since a shape under two parents is two shapes; limits stop what grows without bound.
 
 #include <algorithm>
 #include <array>
@@ -28,10 +28,23 @@ constexpr double kGlobalAmbient = 0.2;
 constexpr int kBoundFog = -2;
 
 /// How the walk treats a node.
-enum class Role : std::uint8_t { other, shape, switch_, lod, transform, billboard, group, inlined, effect, light, local_fog };
+enum class Role : std::uint8_t {
+  other,
+  shape,
+  switch_,
+  lod,
+  transform,
+  billboard,
+  group,
+  inlined,
+  effect,
+  light,
+  local_fog,
+  clip_plane
+};
 
 Role role_of(const NodeInfo& node) {
-  static constexpr std::array<std::pair<std::string_view, Role>, 12> kRoles = {{{"Shape", Role::shape},
+  static constexpr std::array<std::pair<std::string_view, Role>, 13> kRoles = {{{"Shape", Role::shape},
                                                                                 {"Switch", Role::switch_},
                                                                                 {"LOD", Role::lod},
                                                                                 {"Transform", Role::transform},
@@ -42,7 +55,8 @@ Role role_of(const NodeInfo& node) {
                                                                                 {"DirectionalLight", Role::light},
                                                                                 {"PointLight", Role::light},
                                                                                 {"SpotLight", Role::light},
-                                                                                {"LocalFog", Role::local_fog}}};
+                                                                                {"LocalFog", Role::local_fog},
+                                                                                {"ClipPlane", Role::clip_plane}}};
   for (const auto& [type, role] : kRoles) {
     if (is_a(node, type)) return role;
   }
@@ -101,6 +115,7 @@ class SceneWalk {
   std::vector<int> effects_;  // from the outermost in
   std::vector<int> lights_;   // not global
   int fog_ = kBoundFog;       // the nearest LocalFog; -1: one that lets everything through
+  std::vector<int> clip_planes_;
 
   std::unordered_map<const NodeInfo*, Role> roles_;
   std::uint32_t visited_ = 0;
@@ -133,7 +148,7 @@ Role SceneWalk::role(NodeId node) {
 }
 
 void SceneWalk::visit_list(std::span<const NodeId> nodes) {
-  const std::size_t effects = effects_.size(), lights = lights_.size();
+  const std::size_t effects = effects_.size(), lights = lights_.size(), planes = clip_planes_.size();
   const int fog = fog_;
   for (const NodeId node : nodes) {
     if (node.valid()) act_on_siblings(node);
@@ -143,6 +158,7 @@ void SceneWalk::visit_list(std::span<const NodeId> nodes) {
   }
   effects_.resize(effects);
   lights_.resize(lights);
+  clip_planes_.resize(planes);
   fog_ = fog;
 }
 
@@ -155,6 +171,8 @@ void SceneWalk::act_on_siblings(NodeId node) {
     (graph_.boolean(node, "global") ? global_lights_ : lights_).push_back(add_light(context_, node, transform_));
   } else if (role(node) == Role::local_fog && graph_.boolean(node, "enabled")) {
     fog_ = add_fog(context_, node, transform_);
+  } else if (role(node) == Role::clip_plane) {
+    if (const int plane = add_clip_plane(context_, node, transform_); plane >= 0) clip_planes_.push_back(plane);
   }
 }
 
@@ -197,7 +215,8 @@ void SceneWalk::visit(NodeId node) {
     case Role::other: visit_bindable(node); break;
     case Role::effect:
     case Role::light:
-    case Role::local_fog: break;  // they acted on their siblings
+    case Role::local_fog:
+    case Role::clip_plane: break;  // they acted on their siblings
   }
   --depth_;
 }
@@ -256,6 +275,7 @@ void SceneWalk::visit_shape(NodeId node) {
   shape.transform = transform_;
   shape.lights = lights_;
   shape.fog = fog_;
+  shape.clip_planes = clip_planes_;
   shape.shading = read_shading(context_, node);
   const glm::dvec3 size = graph_.vec3(node, "bboxSize");
   const glm::dvec3 center = graph_.vec3(node, "bboxCenter");

@@ -64,4 +64,14 @@ void read_material_textures(SceneContext& context, NodeId material, NodeId trans
   }
 }
 
+void read_normal_map(SceneContext& context, NodeId appearance, SceneShape& shape) {
+  const NodeId node = context.graph.child(appearance, "normalMap");
+  if (!node.valid() || shape.material < 0) return;
+  const bool is_bent = std::ranges::find(shape.textures, TextureRole::normal, &TextureUse::role) != shape.textures.end();
+  const int texture = is_bent ? -1 : texture_index(context, node);
+  if (texture < 0 || !is_picture(context, node, texture, "normalMap")) return;
+  const int transform = unit_transform(context, context.graph.child(appearance, "textureTransform"), 0);
+  shape.textures.push_back({.texture = texture, .transform = transform, .role = TextureRole::normal});
+}
+
 }  // namespace plugc

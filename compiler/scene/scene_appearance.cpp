@@ -188,15 +188,38 @@ NodeId appearance_material(const NodeGraph& graph, NodeId appearance) {
   return replaced ? shaders.front() : graph.child(appearance, "material");
 }
 
-/// Back faces are drawn with the front's material.
-void note_back_material(SceneContext& context, NodeId appearance, NodeId material) {
+/// What a TwoSidedMaterial with `separateBackColor` says of back faces (X3D 3.3, 12.4.7).
+int two_sided_back(SceneContext& context, NodeId node) {
+  const auto [found, added] = context.back_materials.try_emplace(node, static_cast<int>(context.scene.materials.size()));
+  if (!added) return found->second;
+  SlotTable& slots = context.slots;
+  SceneMaterial material;
+  material.lighting = Lighting::phong;
+  material.diffuse = material.ambient_color = slots.slot(node, "backDiffuseColor");
+  material.ambient = slots.slot(node, "backAmbientIntensity");
+  material.specular = slots.slot(node, "backSpecularColor");
+  material.emissive = slots.slot(node, "backEmissiveColor");
+  material.shininess = slots.slot(node, "backShininess");
+  material.transparency = slots.slot(node, "backTransparency");
+  context.scene.materials.push_back(material);
+  return found->second;
+}
+
+/// The material of back faces; -1 where it is the front's. Both sides are lit by one model: a material of another one is
+/// reported.
+int back_material_index(SceneContext& context, NodeId appearance, NodeId material, const SceneShape& shape) {
   const NodeGraph& graph = context.graph;
-  const bool two_sided = graph.is(material, "TwoSidedMaterial") && graph.boolean(material, "separateBackColor");
-  const NodeId back = graph.child(appearance, "backMaterial");
-  if (!two_sided && !back.valid()) return;
-  context.diagnostics.report(DiagnosticId::not_drawn,
-                             two_sided ? graph.field_span(material, "separateBackColor") : graph[back].type_span,
-                             "back faces are drawn with the material of the front");
+  if (graph.is(material, "TwoSidedMaterial"))
+    return graph.boolean(material, "separateBackColor") ? two_sided_back(context, material) : -1;
+  const NodeId node = graph.child(appearance, "backMaterial");
+  const int back = node.valid() ? material_index(context, node) : -1;
+  if (back < 0) return -1;
+  const auto& materials = context.scene.materials;
+  const Lighting front = shape.material < 0 ? Lighting::unlit : materials[static_cast<std::size_t>(shape.material)].lighting;
+  if (shape.material >= 0 && materials[static_cast<std::size_t>(back)].lighting == front) return back;
+  context.diagnostics.report(DiagnosticId::not_drawn, graph[node].type_span,
+                             "`backMaterial` is of another type than `material`; back faces are drawn with the front's");
+  return -1;
 }
 
 }  // namespace
@@ -243,11 +266,13 @@ void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape
   if (!graph.is(appearance, "Appearance")) return;
   const NodeId material = appearance_material(graph, appearance);
   shape.material = material_index(context, material);
-  note_back_material(context, appearance, material);
+  shape.back_material = back_material_index(context, appearance, material, shape);
+  read_style(context, appearance, shape);
   const NodeId own_texture = material_texture(graph, material);
   read_textures(context, own_texture.valid() ? own_texture : graph.child(appearance, "texture"),
                 graph.child(appearance, "textureTransform"), shape);
   read_material_textures(context, material, graph.child(appearance, "textureTransform"), shape);
+  read_normal_map(context, appearance, shape);
   shape.effects = effect_list(context, appearance);
   for (const NodeId shader : graph.children(appearance, "shaders")) {
     shape.shader = shader_index(context, shader);
@@ -257,7 +282,8 @@ void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape
   if (const NodeId blend = graph.child(appearance, "blendMode"); graph.is(blend, "BlendMode")) {
     shape.has_blend_mode = true;
     shape.blend = {read_factor(context, blend, "srcFactor", BlendFactor::src_alpha),
-                   read_factor(context, blend, "destFactor", BlendFactor::one_minus_src_alpha)};
+                   read_factor(context, blend, "destFactor", BlendFactor::one_minus_src_alpha),
+                   context.slots.slot(blend, "color"), context.slots.slot(blend, "colorTransparency")};
   }
 }
 

@@ -30,6 +30,7 @@ struct SceneContext {
   std::vector<DynamicField> dynamic;
   SlotTable slots;
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
+  std::map<NodeId, int> back_materials;               ///< Of TwoSidedMaterial: what it says of back faces.
   std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };
 
@@ -49,6 +50,8 @@ int unit_transform(SceneContext& context, NodeId transform, std::size_t unit);
 int coordinate_unit(const NodeGraph& graph, NodeId geometry, std::string_view mapping);
 /// Adds the material's textures beside its main ones.
 void read_material_textures(SceneContext& context, NodeId material, NodeId transform, SceneShape& shape);
+/// Adds the engine's `normalMap` of an Appearance, where the material has no normal map of its own.
+void read_normal_map(SceneContext& context, NodeId appearance, SceneShape& shape);
 /// What a MultiTexture says of its texture of that index; nullopt for one that is OFF.
 std::optional<TextureCombination> read_combination(const NodeGraph& graph, NodeId multi_texture, std::size_t index);
 /// The textures of a shape's material: `texture` may be a MultiTexture, `transform` a MultiTextureTransform.
@@ -58,6 +61,11 @@ void read_texture_coordinates(SceneContext& context, SceneShape& shape);
 
 /// Fills what the Appearance says: material, textures, effects, shader, blending.
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape);
+
+/// Fills what the Appearance says of alpha, lines, points and the filling of faces.
+void read_style(SceneContext& context, NodeId appearance, SceneShape& shape);
+/// A ClipPlane where it stands; -1 for one that is off for good.
+int add_clip_plane(SceneContext& context, NodeId plane, int transform);
 
 /// A Fog or LocalFog where it stands; -1 when its visibilityRange says that there is none.
 int add_fog(SceneContext& context, NodeId fog, int transform);

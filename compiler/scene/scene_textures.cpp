@@ -139,8 +139,8 @@ constexpr GeneratorMode kGeneratorModes[] = {
     {"SPHERE-LOCAL", CoordGenerator::sphere_local},
     {"COORD", CoordGenerator::coord},
     {"COORD-EYE", CoordGenerator::camera_space_position},
-    {"NOISE", CoordGenerator::coord},
-    {"NOISE-EYE", CoordGenerator::camera_space_position},
+    {"NOISE", CoordGenerator::noise},
+    {"NOISE-EYE", CoordGenerator::noise_eye},
     {"SPHERE-REFLECT", CoordGenerator::sphere_reflect},
     {"SPHERE-REFLECT-LOCAL", CoordGenerator::sphere_reflect_local},
     {"WORLDSPACENORMAL", CoordGenerator::world_space_normal},
@@ -174,13 +174,10 @@ void read_generator(SceneContext& context, NodeId node, const SceneTexture& text
   const bool reflects =
       use.generator == CoordGenerator::sphere_reflect || use.generator == CoordGenerator::sphere_reflect_local;
   if (reflects) use.parameter = generator_parameter(context, node);
-  const bool drawn = found != std::end(kGeneratorModes) && !mode.starts_with("NOISE");
-  if (drawn) return;
-  const std::string_view instead = found == std::end(kGeneratorModes) ? "the geometry's own coordinates are"
-                                   : mode == "NOISE"                  ? "`COORD` is"
-                                                                      : "`COORD-EYE` is";
-  context.diagnostics.report(DiagnosticId::not_drawn, context.graph.field_span(node, "mode"),
-                             fmt::format("texture coordinates in mode `{}` are not made yet; {} used", mode, instead));
+  if (found != std::end(kGeneratorModes)) return;
+  context.diagnostics.report(
+      DiagnosticId::not_drawn, context.graph.field_span(node, "mode"),
+      fmt::format("texture coordinates in mode `{}` are not made yet; the geometry's own coordinates are used", mode));
 }
 
 /// No texture coordinate node knows where a vertex lies in the map of a point light: such a map brings its own.

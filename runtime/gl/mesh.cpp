@@ -2,8 +2,6 @@
 
 #include "runtime/gl/mesh.h"
 
-#include "runtime/gl/program.h"
-
 namespace plugc::gl {
 namespace {
 
@@ -32,7 +30,35 @@ void point_at_stream(const Functions& gl, const PackedStream& stream, std::uint3
                          offset);
 }
 
+const PackedMeshAttribute* find_attribute(const PackedMesh& mesh, const PackedAttribute& wanted) {
+  if (wanted.semantic() != PackedSemantic::custom || mesh.attributes() == nullptr) return nullptr;
+  for (const PackedMeshAttribute* attribute : *mesh.attributes()) {
+    if (attribute->name()->string_view() == wanted.name()->string_view()) return attribute;
+  }
+  return nullptr;
+}
+
+/// A matrix takes a location for each column.
+void point_at_attribute(const Functions& gl, const PackedMeshAttribute& attribute, unsigned unit, std::uint32_t stride) {
+  const GLint location = attribute_location(PackedSemantic::custom, unit);
+  if (location < 0) return;
+  for (unsigned column = 0; column < attribute.columns(); ++column) {
+    const std::uintptr_t offset = attribute.offset() + std::uintptr_t{column} * attribute.components() * sizeof(float);
+    const auto at = static_cast<GLuint>(location) + column;
+    gl.EnableVertexAttribArray(at);
+    gl.VertexAttribPointer(at, attribute.components(), GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                           reinterpret_cast<const void*>(offset));
+  }
+}
+
 }  // namespace
+
+bool reads_custom(const PackedMesh& mesh, const Attributes& attributes) {
+  for (const PackedAttribute* wanted : attributes) {
+    if (find_attribute(mesh, *wanted) != nullptr) return true;
+  }
+  return false;
+}
 
 Mesh upload_mesh(const Functions& gl, const PackedMesh& packed) {
   Mesh mesh;
@@ -54,7 +80,7 @@ void draw_whole(const Functions& gl, const VertexArray& empty) {
 }
 
 VertexArray make_vertex_array(const Functions& gl, const Mesh& mesh, const PackedMesh& packed,
-                              std::span<const ExtraStream> extra) {
+                              std::span<const ExtraStream> extra, const Attributes& attributes) {
   VertexArray array = generate<VertexArray>(gl, gl.GenVertexArrays);
   gl.BindVertexArray(array.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.id());
@@ -64,6 +90,11 @@ VertexArray make_vertex_array(const Functions& gl, const Mesh& mesh, const Packe
     gl.BindBuffer(GL_ARRAY_BUFFER, stream.buffer.id());
     const PackedStream alone(stream.semantic, static_cast<std::uint8_t>(stream.unit), 4, 0);
     point_at_stream(gl, alone, 4 * sizeof(float));
+  }
+  gl.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.id());
+  for (const PackedAttribute* wanted : attributes) {
+    const PackedMeshAttribute* const found = find_attribute(packed, *wanted);
+    if (found != nullptr) point_at_attribute(gl, *found, wanted->unit(), packed.stride());
   }
   gl.BindVertexArray(0);
   return array;

@@ -5,6 +5,7 @@
 
 #include "package/package_file.h"
 #include "runtime/gl/objects.h"
+#include "runtime/gl/program.h"
 
 namespace plugc::gl {
 
@@ -23,9 +24,12 @@ struct ExtraStream {
   Buffer buffer;
 };
 
-/// The mesh with those streams in place of its own. Refers to its buffers.
+/// The mesh with those streams in place of its own, and what a program's custom attributes find in it by their names. Refers to
+/// the mesh's buffers.
 VertexArray make_vertex_array(const Functions& gl, const Mesh& mesh, const PackedMesh& packed,
-                              std::span<const ExtraStream> extra);
+                              std::span<const ExtraStream> extra, const Attributes& attributes);
+/// Whether the program reads an attribute that the mesh has by its name.
+bool reads_custom(const PackedMesh& mesh, const Attributes& attributes);
 Buffer make_stream_buffer(const Functions& gl);
 void write_stream(const Functions& gl, const Buffer& buffer, std::span<const float> values);
 

@@ -90,10 +90,16 @@ void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
 void set_draw_state(const Functions& gl, const DrawState& state) {
   set_enabled(gl, GL_BLEND, state.blended);
   gl.DepthMask(state.blended ? GL_FALSE : GL_TRUE);
-  if (state.blended) gl.BlendFunc(blend_factor(state.blend_source), blend_factor(state.blend_destination));
+  if (state.blended) {
+    const std::array<float, 4>& color = state.blend_color;
+    gl.BlendFunc(blend_factor(state.blend_source), blend_factor(state.blend_destination));
+    gl.BlendColor(color[0], color[1], color[2], color[3]);
+  }
   set_enabled(gl, GL_CULL_FACE, state.cull_back);
   gl.FrontFace(state.front_clockwise ? GL_CW : GL_CCW);
   gl.PolygonMode(GL_FRONT_AND_BACK, state.wireframe ? GL_LINE : GL_FILL);
+  gl.LineWidth(state.line_width);
+  set_enabled(gl, GL_PROGRAM_POINT_SIZE, state.program_sizes_points);
 }
 
 }  // namespace plugc::gl

@@ -32,6 +32,9 @@ struct DrawState {
   bool cull_back = false;
   bool front_clockwise = false;
   bool wireframe = false;
+  std::array<float, 4> blend_color{};  ///< What the constant blend factors mean.
+  float line_width = 1;                ///< Pixels; drivers cut it to what they have.
+  bool program_sizes_points = false;   ///< Else points have one pixel.
 };
 void set_draw_state(const Functions& gl, const DrawState& state);
 

@@ -8,7 +8,7 @@
 namespace plugc::gl {
 namespace {
 
-constexpr GLint kFirstTexCoord = 4, kFirstCustom = 12, kFogCoord = 15;
+constexpr GLint kFirstTexCoord = 4, kFogCoord = 15;
 
 GLenum shader_type(PackedStageKind kind) {
   switch (kind) {
@@ -74,7 +74,7 @@ GLint attribute_location(PackedSemantic semantic, unsigned unit) {
     case PackedSemantic::tangent: return 3;
     case PackedSemantic::tex_coord: return unit < kTexCoordUnits ? kFirstTexCoord + static_cast<GLint>(unit) : -1;
     case PackedSemantic::fog_coord: return kFogCoord;
-    case PackedSemantic::custom: return unit < kCustomAttributes ? kFirstCustom + static_cast<GLint>(unit) : -1;
+    case PackedSemantic::custom: return unit <= kLastCustom ? static_cast<GLint>(kLastCustom - unit) : -1;
   }
   return -1;
 }

@@ -12,11 +12,11 @@
 
 namespace plugc::gl {
 
-inline constexpr unsigned kTexCoordUnits = 8;     ///< Texture coordinates that a program can take.
-inline constexpr unsigned kCustomAttributes = 3;  ///< Author's attributes.
+inline constexpr unsigned kTexCoordUnits = 8;  ///< Texture coordinates that a program can take.
+inline constexpr unsigned kLastCustom = 14;    ///< The location of an author's first attribute, if it has one column.
 
 /// The location of an attribute, the same in every program so that one vertex array serves them all:
-/// position 0, normal 1, color 2, tangent 3, texture coordinates 4 to 11, custom 12 to 15. -1: none left.
+/// position 0, normal 1, color 2, tangent 3, texture coordinates 4 to 11, fog 15, custom 14 - unit. -1: none left.
 GLint attribute_location(PackedSemantic semantic, unsigned unit);
 
 using Attributes = flatbuffers::Vector<flatbuffers::Offset<PackedAttribute>>;

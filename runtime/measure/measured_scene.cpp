@@ -40,7 +40,7 @@ JudgedScene read_judged_scene(MeasuredScene& scene) {
   JudgedScene judged;
   LoadedScene& loaded = scene.loaded;
   loaded.world = place(*loaded.package, *loaded.packed, loaded.slots);
-  judged.surfaces = read_surfaces(*loaded.package, *loaded.packed, loaded.world);
+  judged.surfaces = read_surfaces(*loaded.package, *loaded.packed, loaded.slots, loaded.world);
   judged.tracer = Tracer::make(judged.surfaces, judged.why_not_traced);
   return judged;
 }

@@ -3,7 +3,7 @@
 
 void main()
 {
-#ifdef POINT
+#ifdef FRAGMENT_END
   vec4 fragment_color = vec4(0.0);
   /* PLUG: fragment_end (fragment_color) */
 #endif

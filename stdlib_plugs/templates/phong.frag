@@ -23,6 +23,19 @@ uniform float castle_MaterialShininess;
 #ifdef EMISSIVE
 uniform vec3 castle_MaterialEmissive;
 #endif
+#ifdef BACK_MATERIAL
+uniform vec4 castle_BackMaterialDiffuseAlpha;
+#ifdef AMBIENT
+uniform vec3 castle_BackMaterialAmbient;
+#endif
+#ifdef SPECULAR
+uniform vec3 castle_BackMaterialSpecular;
+uniform float castle_BackMaterialShininess;
+#endif
+#ifdef EMISSIVE
+uniform vec3 castle_BackMaterialEmissive;
+#endif
+#endif
 
 struct MaterialInfo
 {
@@ -39,6 +52,14 @@ uniform float castle_MaterialRoughness;
 #ifdef EMISSIVE
 uniform vec3 castle_MaterialEmissive;
 #endif
+#ifdef BACK_MATERIAL
+uniform vec4 castle_BackMaterialBaseAlpha;
+uniform float castle_BackMaterialMetallic;
+uniform float castle_BackMaterialRoughness;
+#ifdef EMISSIVE
+uniform vec3 castle_BackMaterialEmissive;
+#endif
+#endif
 
 struct MaterialInfo
 {
@@ -52,6 +73,9 @@ struct MaterialInfo
 #endif
 #ifdef UNLIT
 uniform vec4 castle_UnlitColor;
+#ifdef BACK_MATERIAL
+uniform vec4 castle_BackUnlitColor;
+#endif
 #endif
 
 /* PLUG-DECLARATIONS */
@@ -68,12 +92,20 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 {
   MaterialInfo material;
   material.diffuse_alpha = castle_MaterialDiffuseAlpha;
+#ifdef BACK_MATERIAL
+  if (!gl_FrontFacing)
+    material.diffuse_alpha = castle_BackMaterialDiffuseAlpha;
+#endif
 #ifdef COLOR_PER_VERTEX
   material.diffuse_alpha = castle_ColorPerVertexFragment * vec4(1.0, 1.0, 1.0, material.diffuse_alpha.a);
 #endif
   main_texture_apply(material.diffuse_alpha, normal_eye);
 #ifdef AMBIENT
   material.ambient = castle_MaterialAmbient;
+#ifdef BACK_MATERIAL
+  if (!gl_FrontFacing)
+    material.ambient = castle_BackMaterialAmbient;
+#endif
 #else
   material.ambient = vec3(0.0);
 #endif
@@ -81,6 +113,13 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 #ifdef SPECULAR
   material.specular = castle_MaterialSpecular;
   material.shininess = castle_MaterialShininess;
+#ifdef BACK_MATERIAL
+  if (!gl_FrontFacing)
+  {
+    material.specular = castle_BackMaterialSpecular;
+    material.shininess = castle_BackMaterialShininess;
+  }
+#endif
 #else
   material.specular = vec3(0.0);
   material.shininess = 1.0;
@@ -98,6 +137,10 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
   /* PLUG: material_occlusion (result) */
 #ifdef EMISSIVE
   vec3 emissive = castle_MaterialEmissive;
+#ifdef BACK_MATERIAL
+  if (!gl_FrontFacing)
+    emissive = castle_BackMaterialEmissive;
+#endif
   /* PLUG: material_emissive (emissive) */
   result = vec4(result.rgb + emissive, result.a);
 #endif
@@ -131,12 +174,23 @@ vec3 reflected_share(const in MaterialInfo material, const in vec3 normal_eye, c
 vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 {
   vec4 base = castle_MaterialBaseAlpha;
+#ifdef BACK_MATERIAL
+  if (!gl_FrontFacing)
+    base = castle_BackMaterialBaseAlpha;
+#endif
 #ifdef COLOR_PER_VERTEX
   base = castle_ColorPerVertexFragment * vec4(1.0, 1.0, 1.0, base.a);
 #endif
   main_texture_apply(base, normal_eye);
   float metallic = castle_MaterialMetallic;
   float roughness = castle_MaterialRoughness;
+#ifdef BACK_MATERIAL
+  if (!gl_FrontFacing)
+  {
+    metallic = castle_BackMaterialMetallic;
+    roughness = castle_BackMaterialRoughness;
+  }
+#endif
   /* PLUG: material_metallic_roughness (metallic, roughness) */
   metallic = clamp(metallic, 0.0, 1.0);
   MaterialInfo material;
@@ -156,6 +210,10 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
   /* PLUG: material_occlusion (result) */
 #ifdef EMISSIVE
   vec3 emissive = castle_MaterialEmissive;
+#ifdef BACK_MATERIAL
+  if (!gl_FrontFacing)
+    emissive = castle_BackMaterialEmissive;
+#endif
   /* PLUG: material_emissive (emissive) */
   result.rgb += emissive;
 #endif
@@ -168,6 +226,10 @@ vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 vec4 lighting(const in vec4 vertex_eye, const in vec3 normal_eye)
 {
   vec4 result = castle_UnlitColor;
+#ifdef BACK_MATERIAL
+  if (!gl_FrontFacing)
+    result = castle_BackUnlitColor;
+#endif
 #ifdef COLOR_PER_VERTEX
   result = castle_ColorPerVertexFragment * vec4(1.0, 1.0, 1.0, result.a);
 #endif

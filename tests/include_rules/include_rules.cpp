@@ -73,6 +73,7 @@ constexpr std::array kLibraries = {
     Prefix{"png.h", "image"},
     Prefix{"jpeglib.h", "image"},
     Prefix{"jerror.h", "image"},
+    Prefix{"gif_lib.h", "image"},
     Prefix{"glslang/", "validate"},
     Prefix{"SPIRV/", "validate"},
     Prefix{"spirv-tools/", "validate"},

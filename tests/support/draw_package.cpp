@@ -32,29 +32,38 @@ Renderer* load(const Package& package) {
   return nullptr;
 }
 
-Picture draw_with(Renderer& renderer, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
+Picture draw_with(Renderer& renderer, const FrameOptions& frame, const FieldValues& fields) {
   std::string error;
   for (const auto& [name, value] : fields) EXPECT_TRUE(renderer.set_field(name, {value}, error)) << error;
-  FrameOptions frame;
-  frame.width = width;
-  frame.height = height;
   Picture picture = renderer.draw(frame);
   EXPECT_THAT(renderer.messages(), testing::IsEmpty());
   return picture;
 }
 
+FrameOptions frame_of(std::uint32_t width, std::uint32_t height) {
+  FrameOptions frame;
+  frame.width = width;
+  frame.height = height;
+  return frame;
+}
+
 }  // namespace
+
+Picture draw_package(const Package& package, const FrameOptions& frame) {
+  Renderer* renderer = load(package);
+  return renderer != nullptr ? draw_with(*renderer, frame, {}) : Picture();
+}
 
 Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
   Renderer* renderer = load(package);
-  return renderer != nullptr ? draw_with(*renderer, width, height, fields) : Picture();
+  return renderer != nullptr ? draw_with(*renderer, frame_of(width, height), fields) : Picture();
 }
 
 Picture redraw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
   Renderer* renderer = load(package);
   if (renderer == nullptr) return {};
-  draw_with(*renderer, width, height, {});
-  return draw_with(*renderer, width, height, fields);
+  draw_with(*renderer, frame_of(width, height), {});
+  return draw_with(*renderer, frame_of(width, height), fields);
 }
 
 Color color_at(const Picture& picture, std::uint32_t x, std::uint32_t y) {

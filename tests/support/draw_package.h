@@ -24,6 +24,9 @@ using FieldValues = std::vector<std::pair<std::string, double>>;
 Picture draw_package(const Package& package, std::uint32_t width = 64, std::uint32_t height = 64,
                      const FieldValues& fields = {});
 
+/// The same in a frame with those options.
+Picture draw_package(const Package& package, const FrameOptions& frame);
+
 /// The same, drawn once before the fields change: what a frame keeps from the last one is in the picture.
 Picture redraw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields);
 

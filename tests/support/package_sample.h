@@ -51,6 +51,10 @@ inline PackedMeshT sample_mesh() {
   mesh.indices = {0, 1, 2};
   mesh.bounds_min = std::make_unique<PackedVec3>(-1, -1, 0);
   mesh.bounds_max = std::make_unique<PackedVec3>(1, 0.5, 0);
+  mesh.attributes.push_back(std::make_unique<PackedMeshAttributeT>());
+  mesh.attributes.back()->name = "lift";
+  mesh.attributes.back()->components = 1;
+  mesh.attributes.back()->offset = 16;
   return mesh;
 }
 
@@ -68,6 +72,7 @@ inline PackedShapeT sample_shape() {
   shape.name = "Kettle";
   shape.transform = 1;
   shape.bindings = {{0, kSampleColor, 0, 1, PackedSource::slot}, {2, 0, 0, 1, PackedSource::texture}};
+  shape.line_width = kSampleScalar;
   shape.depth_program = 1;
   shape.depth_bindings = {{0, kSampleColor, 0, 1, PackedSource::slot}};
   shape.cull_back = true;
@@ -97,6 +102,7 @@ inline PackedSceneT sample_scene() {
   scene.shadow_maps.push_back(std::make_unique<PackedShadowMapT>());
   scene.shadow_maps.back()->size = 512;
   scene.shadow_maps.back()->update = PackedShadowUpdate::always;
+  scene.clip_planes = {{1, kSampleRotation, kSampleScalar}};
   scene.texture_transforms = {{kNoSlot, kSampleScalar, kNoSlot, kNoSlot}};
   scene.shapes.push_back(std::make_unique<PackedShapeT>(sample_shape()));
   scene.viewpoints.push_back(std::make_unique<PackedViewpointT>());

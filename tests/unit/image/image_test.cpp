@@ -176,13 +176,14 @@ TEST(Tga, ReportsWhatIsMissing) {
   EXPECT_THAT(decode(tga(10, 24, 0, "\x83\1"sv)).messages,
               ElementsAre(prefix + "it is cut short: 8 bytes of pixels are missing"));
   EXPECT_THAT(decode(tga(10, 16, 0, "\1\2\3\4\5\6\7\10"sv)).messages,
-              ElementsAre(prefix + "it is none of PNG, JPEG, DDS and TGA; convert it to one of them"));
+              ElementsAre(prefix + "it is none of PNG, JPEG, GIF, BMP, DDS and TGA; convert it to one of them"));
 }
 
 TEST(Image, BrokenFilesAreReported) {
   EXPECT_THAT(decode("").messages, ElementsAre("cannot decode the image `p`: the file is empty"));
-  EXPECT_THAT(decode("GIF89a").messages,
-              ElementsAre("cannot decode the image `p`: it is none of PNG, JPEG, DDS and TGA; convert it to one of them"));
+  EXPECT_THAT(
+      decode("RIFF    WEBP").messages,
+      ElementsAre("cannot decode the image `p`: it is none of PNG, JPEG, GIF, BMP, DDS and TGA; convert it to one of them"));
   EXPECT_THAT(decode(sample("truncated.png")).messages, ElementsAre("cannot decode the image `p`: the file ends too early"));
   EXPECT_THAT(decode(sample("truncated.jpg")).messages, ElementsAre("cannot decode the image `p`: Premature end of JPEG file"));
   EXPECT_THAT(

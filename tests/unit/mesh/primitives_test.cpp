@@ -151,9 +151,9 @@ TEST(Mesh, SizesThatAreNoNumbersMakeNoMesh) {
 }
 
 TEST(Mesh, NodesThatAreNotDrawnAreNamed) {
-  const MadeMesh made = make_mesh_from("Disk2D { }");
+  const MadeMesh made = make_mesh_from("NurbsSwungSurface { }");
   EXPECT_FALSE(made.mesh);
-  EXPECT_THAT(made.messages, testing::ElementsAre("2:1 plugc does not draw `Disk2D` [not-drawn]"));
+  EXPECT_THAT(made.messages, testing::ElementsAre("2:1 plugc does not draw `NurbsSwungSurface` [not-drawn]"));
 }
 
 }  // namespace

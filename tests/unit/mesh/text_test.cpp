@@ -103,12 +103,33 @@ TEST_F(Text, BrokenUtf8IsDrawnAsReplacement) {
   EXPECT_FALSE(mesh_from("Text { string \"a\xff\xc3\" }").indices.empty());
 }
 
-TEST_F(Text, OtherDirectionsAreNamed) {
-  const MadeMesh made = make_mesh_from(text_node("\"H\"", "horizontal FALSE"));
-  EXPECT_TRUE(made.mesh);
-  EXPECT_THAT(made.messages,
-              testing::ElementsAre("2:56 plugc sets text from left to right and from top to bottom whatever `horizontal` says "
-                                   "[not-drawn]"));
+TEST_F(Text, LinesMayRunToTheLeftAndUpwards) {
+  const float width = 17 * kPixel;
+  const std::string lines = "\"H\" \"H\" \"H\"";
+  expect_box(mesh_from(text_node(lines, "leftToRight FALSE justify [ \"BEGIN\" \"BEGIN\" ]")), -width, -3, 0, 0);
+  expect_box(mesh_from(text_node(lines, "leftToRight FALSE justify [ \"END\" \"BEGIN\" ]")), 0, -3, width, 0);
+  expect_box(mesh_from(text_node(lines, "topToBottom FALSE justify [ \"BEGIN\" \"BEGIN\" ]")), 0, 0, width, 3);
+  expect_box(mesh_from(text_node(lines, "topToBottom FALSE justify [ \"BEGIN\" \"END\" ]")), 0, -3, width, 0);
+}
+
+TEST_F(Text, CharactersFromTheRightComeInTheirOrder) {
+  const Mesh mesh = mesh_from(text_node("\"Hi\"", "leftToRight FALSE"));
+  const Mesh mirrored = mesh_from(text_node("\"iH\"", "justify \"END\""));
+  EXPECT_EQ(mesh.positions, mirrored.positions);
+}
+
+TEST_F(Text, ColumnsStandSideBySide) {
+  const std::string columns = "\"HH\" \"H\" \"H\"";
+  expect_box(mesh_from(text_node(columns, "horizontal FALSE")), 0, -2, 3, 0);
+  expect_box(mesh_from(text_node(columns, "horizontal FALSE leftToRight FALSE")), -3, -2, 0, 0);
+  expect_box(mesh_from(text_node(columns, "horizontal FALSE topToBottom FALSE")), 0, 0, 3, 2);
+  expect_box(mesh_from(text_node(columns, "horizontal FALSE justify [ \"END\" \"END\" ]")), -3, 0, 0, 2);
+  expect_box(mesh_from(text_node(columns, "horizontal FALSE justify [ \"MIDDLE\" \"MIDDLE\" ]")), -1.5, -1, 1.5, 1);
+}
+
+TEST_F(Text, SolidTextIsSeenFromTheFrontAlone) {
+  EXPECT_FALSE(mesh_from("Text { string \"H\" }").solid);
+  EXPECT_TRUE(mesh_from("Text { string \"H\" solid TRUE }").solid);
 }
 
 }  // namespace

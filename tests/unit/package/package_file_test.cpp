@@ -166,6 +166,38 @@ TEST(PackageFile, ChecksMeshes) {
   EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->bounds_max.reset(); }), "mesh 0: it has no bounds");
 }
 
+TEST(PackageFile, ChecksAttributesOfAuthors) {
+  EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->attributes[0]->offset = 20; }),
+            "mesh 0, attribute 0: bytes 20 to 24 do not fit into a vertex of 20");
+  EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->attributes[0]->offset = 2; }),
+            "mesh 0, attribute 0: bytes 2 to 6 do not fit into a vertex of 20");
+  EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->attributes[0]->columns = 5; }),
+            "mesh 0, attribute 0: it has not 1 to 4 columns of 1 to 4 components");
+}
+
+TEST(PackageFile, ChecksClipPlanesAndStyles) {
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->clip_planes = {{7, kSampleRotation, kSampleScalar}};
+            }),
+            "scene 0, clip plane 0: transform 7 does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->clip_planes = {{-1, kSampleColor, kSampleScalar}};
+            }),
+            "scene 0, clip plane 0: plane is slot 0, which has 3 numbers, not 4");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->clip_planes = {{-1, kSampleRotation, kNoSlot}};
+            }),
+            "scene 0, clip plane 0: enabled is slot 4294967295, which does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->shapes[0]->bindings[0] = {0, 1, 0, 1, PackedSource::clip_plane};
+            }),
+            "scene 0, shape 0, binding 0: clip plane 1 does not exist, there are 1");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shapes[0]->line_width = 9; }),
+            "scene 0, shape 0: line width is slot 9, which does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shapes[0]->blend_color = kSampleScalar; }),
+            "scene 0, shape 0: blend color is slot 1, which has 1 numbers, not 3");
+}
+
 TEST(PackageFile, ChecksImagesAndTextures) {
   EXPECT_EQ(error_after([](PackageT& p) { p.images[0]->height = 4; }), "image 0: its pixels take 18 bytes, not 24");
   EXPECT_EQ(error_after([](PackageT& p) { p.images[0]->depth = 0; }), "image 0: its size 2 x 3 x 0 is out of range");
