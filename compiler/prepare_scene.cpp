@@ -12,6 +12,7 @@
 #include "mesh/tangents.h"
 #include "mesh/unit_coords.h"
 #include "prepare_shadows.h"
+#include "scene/shadow_volumes.h"
 #include "shadow_geometry.h"
 #include "still_shadows.h"
 
@@ -245,6 +246,7 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   mark_maps_of_other_light(prepared.effects, parts.scene);
   replace_untraceable_maps(graph, prepared.effects, parts.scene, diagnostics);
   const std::vector<AlphaUse> alpha = prepare_alpha(parts);
+  parts.blended_shapes_cast = has_shadow_volumes(graph, parts.scene);
   if (purpose != PreparedFor::library) drop_impossible_shadows(prepared.effects, parts);
   prepare_recipes(prepared, alpha);
   return prepared;
