@@ -12,6 +12,7 @@
 #include "mesh/tangents.h"
 #include "mesh/unit_coords.h"
 #include "prepare_shadows.h"
+#include "scene/shadow_volumes.h"
 #include "shadow_geometry.h"
 #include "still_shadows.h"
 
@@ -27,15 +28,15 @@ std::vector<UnitCoords> unit_coords(const SceneShape& shape) {
 void prepare_meshes(const NodeGraph& graph, SceneParts& parts, MeshCache& made, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     const NodeId geometry = parts.scene.shapes[i].geometry;
-    const auto [plain, added] = made.try_emplace({geometry, {}});
+    const auto [plain, added] = made.by_node.try_emplace({geometry, {}});
     if (added) {
-      if (auto mesh = make_mesh(graph, geometry, diagnostics)) plain->second = std::make_shared<const Mesh>(std::move(*mesh));
+      if (auto mesh = make_mesh(graph, geometry, diagnostics)) plain->second = share_mesh(made, std::move(*mesh));
     }
     parts.shapes[i].mesh = plain->second;
     const std::vector<UnitCoords> units = unit_coords(parts.scene.shapes[i]);
     if (plain->second == nullptr || units.empty()) continue;
-    const auto [found, is_new] = made.try_emplace({geometry, units});
-    if (is_new) found->second = std::make_shared<const Mesh>(with_unit_coords(*plain->second, units));
+    const auto [found, is_new] = made.by_node.try_emplace({geometry, units});
+    if (is_new) found->second = share_mesh(made, with_unit_coords(*plain->second, units));
     parts.shapes[i].mesh = found->second;
   }
 }
@@ -261,6 +262,7 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   mark_maps_of_other_light(prepared.effects, parts.scene);
   replace_untraceable_maps(graph, prepared.effects, parts.scene, diagnostics);
   const std::vector<AlphaUse> alpha = prepare_alpha(parts);
+  parts.blended_shapes_cast = has_shadow_volumes(graph, parts.scene);
   if (purpose != PreparedFor::library) drop_impossible_shadows(prepared.effects, parts);
   prepare_recipes(prepared, alpha);
   return prepared;

@@ -13,7 +13,7 @@
 #include "compose/recipe.h"
 #include "compose/shape_states.h"
 #include "image/load_images.h"
-#include "mesh/unit_coords.h"
+#include "mesh/mesh_cache.h"
 #include "package/assemble_package.h"
 #include "scene/scene.h"
 
@@ -31,9 +31,6 @@ inline ComposeInput compose_input(const PreparedScene& prepared, TemplateLibrary
   return {prepared.parts.scene, prepared.effects, prepared.shaders, templates};
 }
 
-/// Meshes that several scenes of one graph share.
-using MeshCache = std::map<std::pair<NodeId, std::vector<UnitCoords>>, std::shared_ptr<const Mesh>>;
-
 /// What a scene is prepared for. What is said of it does not depend on that.
 enum class PreparedFor : std::uint8_t {
   drawing,
@@ -41,6 +38,7 @@ enum class PreparedFor : std::uint8_t {
   library,   ///< As for drawing, but each shape stands for its kind: it keeps shadows that could never fall on it.
 };
 
+/// `meshes`: those that several scenes of one graph share.
 PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor purpose, FileAccess& files,
                             Diagnostics& diagnostics, MeshCache& meshes, KnownImages* images = nullptr);
 

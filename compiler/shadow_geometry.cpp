@@ -26,7 +26,7 @@ bool any_effect(const Scene& scene, const SceneShape& shape, const std::vector<E
 
 bool casts_shadow(const SceneParts& parts, std::size_t index) {
   const ShapePlan& plan = parts.shapes[index];
-  return parts.scene.shapes[index].casts_shadow && !plan.blended && plan.mesh != nullptr &&
+  return parts.scene.shapes[index].casts_shadow && (!plan.blended || parts.blended_shapes_cast) && plan.mesh != nullptr &&
          plan.mesh->topology == Topology::triangles;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/program.h"
@@ -144,6 +145,16 @@ const Bindings& bindings_in(const ShapePrograms& use, const Pass& pass) {
   return pass.depth_only ? depth_bindings(use, pass.of_point_light) : *use.bindings;
 }
 
+/// By their keys, each looked up once; those with equal keys keep the order of the scene.
+template <typename Key>
+void sort_by(std::vector<std::uint32_t>& shapes, const Key& key) {
+  std::vector<std::pair<decltype(key(0)), std::uint32_t>> keyed;
+  keyed.reserve(shapes.size());
+  for (const std::uint32_t shape : shapes) keyed.emplace_back(key(shape), shape);
+  std::ranges::sort(keyed);
+  std::ranges::transform(keyed, shapes.begin(), [](const auto& entry) { return entry.second; });
+}
+
 bool may_be_seen(const LoadedScene& scene, std::uint32_t shape, const glm::dmat4& world_to_clip) {
   return !scene.shape(shape).bounds_known() || !outside_sideways(scene.world.shape_bounds[shape], world_to_clip);
 }
@@ -212,7 +223,7 @@ std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view
     return std::tuple(blended, -distance[i], blended ? 0 : scene.programs_of(i).program, !blended && shape.cull_back(),
                       !blended && shape.wireframe(), blended ? 0 : shape.mesh());
   };
-  std::stable_sort(order.begin(), order.end(), [&key](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  sort_by(order, key);
   return order;
 }
 
@@ -223,9 +234,7 @@ std::vector<std::uint32_t> caster_order(const LoadedScene& scene, const View& vi
   for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
     if (scene.world.shape_visible[i] && program(i) >= 0 && may_be_seen(scene, i, world_to_clip)) order.push_back(i);
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(program(a), scene.shape(a).mesh()) < std::pair(program(b), scene.shape(b).mesh());
-  });
+  sort_by(order, [&](std::uint32_t i) { return std::pair(program(i), scene.shape(i).mesh()); });
   return order;
 }
 

@@ -41,6 +41,10 @@ void take_problems(const CodeUnit& unit, EffectCode& code, Diagnostics& diagnost
     code.broken = true;
     return diagnostics.report(DiagnosticId::shader_limit, unit.span(problem->begin, problem->end), problem->message);
   }
+  for (const Span& place : unit.merged_directions) {
+    diagnostics.report(DiagnosticId::parameter_direction, place,
+                       "a parameter has one of `in`, `out` and `inout`; other compilers refuse several");
+  }
   bool broken = false;
   for (const OutlineProblem& problem : unit.outline.problems) {
     const bool fatal = problem.kind == ProblemKind::fatal;
@@ -176,6 +180,7 @@ std::shared_ptr<const CodeUnit> make_code_unit(const MappedText& text, ShaderSta
   unit->text = std::move(upgraded.text);
   unit->castle_names = std::move(upgraded.used_names);
   unit->renamed_names = std::move(upgraded.renamed_names);
+  unit->merged_directions = std::move(upgraded.merged_directions);
   unit->names_precision = names_precision(unit->text.text());
   unit->tokens = tokenize(unit->text.text(), predefined);
   unit->outline = outline(unit->text.text(), unit->tokens, varying_storage(stage));

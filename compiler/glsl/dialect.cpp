@@ -38,6 +38,10 @@ bool is_plain_gl_array(const GlobalOutline& global, std::string_view text) {
   return text.substr(global.begin, global.end - global.begin).find_first_of("#/") == std::string_view::npos;
 }
 
+bool is_direction(std::string_view word) {
+  return word == "in" || word == "out" || word == "inout";
+}
+
 class Upgrader {
  public:
   Upgrader(const MappedText& text, ShaderStage stage, std::span<const MacroDefinition> predefined)
@@ -76,6 +80,7 @@ class Upgrader {
   std::size_t upgrade_ftransform(std::size_t i);
   std::size_t upgrade_texture_call(std::size_t i);
   std::size_t upgrade_storage(std::size_t i);
+  std::size_t merge_directions(std::size_t i);
   bool rename(std::size_t i);
   std::size_t replace(std::size_t first, std::size_t last, std::string replacement);
   std::string use(std::string_view castle_word);
@@ -177,6 +182,8 @@ std::size_t Upgrader::upgrade_identifier(std::size_t i) {
     case 's': return upgrade_texture_call(i);
     case 'a':
     case 'v': return upgrade_storage(i);
+    case 'i':
+    case 'o': return merge_directions(i);
     case 'c':
       if (word(i).starts_with("castle_")) use(word(i));
       return i + 1;
@@ -224,6 +231,19 @@ std::size_t Upgrader::upgrade_storage(std::size_t i) {
   if (word(i) == "attribute" && stage_ == ShaderStage::vertex) return replace(i, i, "in");
   if (word(i) != "varying" || stage_ == ShaderStage::geometry) return i + 1;
   return replace(i, i, stage_ == ShaderStage::vertex ? "out" : "in");
+}
+
+// `inout in vec3 normal`, which some drivers take: what is read and written is `inout`.
+std::size_t Upgrader::merge_directions(std::size_t i) {
+  if (open_brackets_.empty() || !is_direction(word(i))) return i + 1;
+  std::size_t last = i;
+  while (is_direction(word(last + 1))) ++last;
+  if (last == i) return i + 1;
+  const auto is_as_first = [&](const Token& token) { return token_text(text_, token) == word(i); };
+  const bool all_equal = std::all_of(stream().begin() + static_cast<std::ptrdiff_t>(i),
+                                     stream().begin() + static_cast<std::ptrdiff_t>(last) + 1, is_as_first);
+  result_.merged_directions.push_back(mapped_.locate(stream()[i].begin, stream()[last].end));
+  return replace(i, last, all_equal ? std::string(word(i)) : "inout");
 }
 
 bool Upgrader::rename(std::size_t i) {

@@ -1,5 +1,6 @@
-// The first url that can be read and decoded counts (X3D 4.1, 9.2.1). A file that several textures name is read once; a
-// `data:` url holds the file itself. A volume or cube map made of textures has pixels when each of them has some.
+// The first url that can be read and decoded counts (X3D 4.1, 9.2.1). A file that several textures name is read once, and files
+// of equal bytes are decoded once; a `data:` url holds the file itself. A volume or cube map made of textures has pixels when
+// each of them has some.
 
 #include "image/load_images.h"
 
@@ -18,27 +19,27 @@ namespace plugc {
 namespace {
 
 using ImagesByPath = std::map<std::filesystem::path, std::shared_ptr<const Image>>;
+using ImagesByHash = std::map<std::pair<std::uint64_t, std::uint64_t>, std::shared_ptr<const Image>>;
 
 /// What every loading function needs.
 struct Loading {
   const NodeGraph& graph;
   ImagesByPath& loaded;
+  ImagesByHash& decoded;  ///< By their files.
   FileAccess& files;
   Diagnostics& diagnostics;
   ImageDetail detail;
-  KnownImages* known;
 };
 
 std::shared_ptr<const Image> shared(std::optional<Image> image) {
   return image ? std::make_shared<const Image>(std::move(*image)) : nullptr;
 }
 
-/// A broken file is decoded for each scene anew, so that each is told of it.
+/// A broken file is decoded for each texture anew, so that each is told of it.
 std::shared_ptr<const Image> decode(const Loading& l, std::string_view bytes, std::string_view name, const Span& span,
                                     Diagnostics& failures) {
-  if (l.known == nullptr || l.detail == ImageDetail::pixels) return shared(decode_image(bytes, name, span, failures, l.detail));
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-  std::shared_ptr<const Image>& image = l.known->by_hash[{hash.high64, hash.low64}];
+  std::shared_ptr<const Image>& image = l.decoded[{hash.high64, hash.low64}];
   if (image == nullptr) image = shared(decode_image(bytes, name, span, failures, l.detail));
   return image;
 }
@@ -140,7 +141,9 @@ std::shared_ptr<const Image> load_texture(const Loading& l, NodeId texture) {
 std::vector<std::shared_ptr<const Image>> load_images(const NodeGraph& graph, const Scene& scene, FileAccess& files,
                                                       Diagnostics& diagnostics, ImageDetail detail, KnownImages* known) {
   ImagesByPath loaded;
-  const Loading loading{graph, loaded, files, diagnostics, detail, known};
+  ImagesByHash decoded;
+  const bool shares_facts = known != nullptr && detail == ImageDetail::facts;
+  const Loading loading{graph, loaded, shares_facts ? known->by_hash : decoded, files, diagnostics, detail};
   std::vector<std::shared_ptr<const Image>> images;
   for (const SceneTexture& texture : scene.textures) {
     images.push_back(texture.has_pixels ? load_texture(loading, texture.node) : nullptr);

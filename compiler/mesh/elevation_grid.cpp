@@ -1,5 +1,9 @@
 // ElevationGrid (X3D 4.1, 13.3.4): point (i, j) stands at (i * xSpacing, height[i + j * xDimension], j * zSpacing). Each cell
-// is one face, counter-clockwise seen from above. The default texture lies over the whole grid, S along x, T along z.
+// is one face, counter-clockwise seen from above, which has one colour or normal where those are per face. As its four points
+// seldom lie in a plane, it is then cut along the shorter diagonal, which follows ridges and valleys, and the triangles are
+// what creaseAngle looks at. The default texture lies over the whole grid, S along x, T along z.
+
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -51,6 +55,24 @@ std::vector<glm::vec4> texture_over(const Grid& grid) {
   return result;
 }
 
+bool is_first_diagonal_shorter(const FaceSet& faces, std::span<const Corner> cell) {
+  const auto point = [&](std::size_t i) { return glm::dvec3(faces.coords[cell[i].coord]); };
+  return glm::distance(point(0), point(2)) <= glm::distance(point(1), point(3));
+}
+
+void cut_cells(FaceSet& faces) {
+  const std::vector<Corner> cells = std::exchange(faces.corners, {});
+  faces.face_ends.clear();
+  for (std::size_t at = 0; at < cells.size(); at += 4) {
+    const std::span<const Corner> cell(cells.data() + at, 4);
+    const std::size_t first = is_first_diagonal_shorter(faces, cell) ? 0 : 1;
+    const Corner halves[] = {cell[first],     cell[first + 1],       cell[first + 2],
+                             cell[first + 2], cell[(first + 3) % 4], cell[first]};
+    faces.add_face(std::span(halves).first(3));
+    faces.add_face(std::span(halves).last(3));
+  }
+}
+
 }  // namespace
 
 std::optional<Mesh> make_elevation_grid(const GeometrySource& source) {
@@ -67,6 +89,7 @@ std::optional<Mesh> make_elevation_grid(const GeometrySource& source) {
       reader.add_face(cell);
     }
   }
+  cut_cells(reader.faces);
   return mesh_of_faces(std::move(reader.faces), source);
 }
 

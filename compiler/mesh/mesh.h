@@ -20,6 +20,7 @@ struct MeshAttribute {
   std::string name;
   std::uint8_t columns = 1, components = 4;  ///< Columns of a matrix (else 1), numbers in each.
   std::vector<float> values;                 ///< columns * components a vertex.
+  friend bool operator==(const MeshAttribute&, const MeshAttribute&) = default;
 };
 
 struct Mesh {

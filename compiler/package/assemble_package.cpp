@@ -42,7 +42,8 @@ class Assembler {
   std::map<std::string, std::uint32_t> programs_;               // by content
   std::unordered_multimap<std::size_t, std::uint32_t> meshes_;  // by the hash of their content
   std::map<const Image*, std::uint32_t> images_;
-  std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;  // by image, wrapping and filters
+  std::unordered_multimap<std::size_t, std::uint32_t> images_by_hash_;  // of their pixels
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;     // by image, wrapping and filters
 };
 
 std::uint32_t Assembler::add_program(const SceneParts& parts, std::size_t index) {
@@ -56,15 +57,27 @@ std::uint32_t Assembler::add_program(const SceneParts& parts, std::size_t index)
   return found->second;
 }
 
+template <typename T>
+std::size_t hash_of(const std::vector<T>& list) {
+  return std::hash<std::string_view>()({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
+}
+
+bool are_equal(const PackedImageT& packed, const Image& image) {
+  return packed.width == image.width && packed.height == image.height && packed.depth == image.depth &&
+         packed.channels == image.channels && packed.pixels == image.pixels;
+}
+
 std::uint32_t Assembler::add_image(const std::shared_ptr<const Image>& image) {
-  if (const auto found = images_.find(image.get()); found != images_.end()) return found->second;
-  const auto same = std::find_if(package_.images.begin(), package_.images.end(), [&](const auto& packed) {
-    return packed->width == image->width && packed->height == image->height && packed->depth == image->depth &&
-           packed->channels == image->channels && packed->pixels == image->pixels;
-  });
-  const auto index = static_cast<std::uint32_t>(same - package_.images.begin());
-  if (same == package_.images.end()) package_.images.push_back(pack_image(*image));
-  return images_[image.get()] = index;
+  const auto [known, added] = images_.try_emplace(image.get(), static_cast<std::uint32_t>(package_.images.size()));
+  if (!added) return known->second;
+  const std::size_t hash = hash_of(image->pixels);
+  const auto [first, last] = images_by_hash_.equal_range(hash);
+  const auto same =
+      std::find_if(first, last, [&](const auto& entry) { return are_equal(*package_.images[entry.second], *image); });
+  if (same != last) return known->second = same->second;
+  images_by_hash_.emplace(hash, known->second);
+  package_.images.push_back(pack_image(*image));
+  return known->second;
 }
 
 std::uint32_t Assembler::add_texture(const SceneTexture& texture, const std::shared_ptr<const Image>& image) {
@@ -107,11 +120,6 @@ bool are_equal(const PackedMeshT& a, const PackedMeshT& b) {
   };
   return a.topology == b.topology && a.stride == b.stride && std::ranges::equal(a.streams, b.streams, streams_equal) &&
          a.vertices == b.vertices && a.indices == b.indices && are_equal(a.attributes, b.attributes);
-}
-
-template <typename T>
-std::size_t hash_of(const std::vector<T>& list) {
-  return std::hash<std::string_view>()({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
 }
 
 std::uint32_t Assembler::add_mesh(const Mesh& mesh, std::uint32_t units) {

@@ -62,6 +62,7 @@ struct SceneParts {
   std::vector<std::shared_ptr<const Image>> images;  ///< By texture of the scene.
   std::vector<ShapePlan> shapes;                     ///< By shape of the scene.
   std::vector<MapPlan> maps;                         ///< By shadow map of the scene.
+  bool blended_shapes_cast = false;                  ///< As in shadow volumes; in shadow maps they cast nothing.
   std::vector<int> screen_programs;                  ///< By screen effect of the scene.
   std::vector<ValidRecipe> programs;
   std::vector<std::string> program_names;  ///< By program: its recipe as text.

@@ -10,6 +10,7 @@
 
 #include "base/limits.h"
 #include "scene/scene_context.h"
+#include "scene/shadow_volumes.h"
 
 namespace plugc {
 namespace {
@@ -317,6 +318,7 @@ int projection_of_light(SceneContext& context, int index) {
 
 void finish_lights(SceneContext& context, const std::vector<NodeId>& appearances) {
   Scene& scene = context.scene;
+  cast_for_volumes(context.graph, scene);
   renumber_lights(scene);
   report_absent_lights(context, appearances);
   std::vector<bool> tried(scene.lights.size(), false);

@@ -19,8 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Scenes whose own code is not legal: what they show is that plugc says so.
-const std::set<std::string> kIllegal = {"compositing_shaders/texture_coord_generate.x3dv",     // `inout in vec4`
-                                        "compositing_shaders/warnings/invalid_effects.x3dv"};  // a collection of mistakes
+const std::set<std::string> kIllegal = {"compositing_shaders/warnings/invalid_effects.x3dv"};  // a collection of mistakes
 
 fs::path corpus() {
   return fs::path(PLUGC_SOURCE_DIR "/../shared/corpus/scenes").lexically_normal();

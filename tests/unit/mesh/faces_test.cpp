@@ -184,6 +184,26 @@ TEST(ElevationGrid, StandsOnItsSpacingsAndFacesUp) {
     EXPECT_EQ(mesh.tex_coords[0][i], glm::vec4(mesh.positions[i].x / 4, mesh.positions[i].z / 5, 0, 1));
 }
 
+// Where the two triangles of a mesh meet.
+std::vector<glm::vec3> shared_corners(const Mesh& mesh) {
+  std::vector<glm::vec3> shared;
+  for (std::size_t first = 0; first < 3; ++first) {
+    for (std::size_t second = 3; second < 6; ++second) {
+      const glm::vec3& point = mesh.positions[mesh.indices[first]];
+      if (point == mesh.positions[mesh.indices[second]]) shared.push_back(point);
+    }
+  }
+  return shared;
+}
+
+TEST(ElevationGrid, CellsAreCutAlongTheShorterDiagonal) {
+  const std::string grid = "ElevationGrid { xDimension 2 zDimension 2 height ";
+  EXPECT_THAT(shared_corners(mesh_from(grid + "[ 0 0 0 5 ] }")),
+              testing::UnorderedElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)));
+  EXPECT_THAT(shared_corners(mesh_from(grid + "[ 0 5 0 0 ] }")),
+              testing::UnorderedElementsAre(glm::vec3(0, 0, 0), glm::vec3(1, 0, 1)));
+}
+
 TEST(ElevationGrid, TooFewHeightsAreReported) {
   const MadeMesh made = make_mesh_from("ElevationGrid { xDimension 3 zDimension 2\nheight [ 0 1 2 ] }");
   EXPECT_FALSE(made.mesh);
