@@ -1,8 +1,8 @@
 // Alpha test (X3D 4.1, 12.2.3: alphaMode MASK), and that of textures whose alpha is all or nothing.
 #ifdef CUTOFF
 uniform float castle_AlphaCutoff;
-#endif
 
+#endif
 void PLUG_fragment_end(const in vec4 fragment_color)
 {
 #ifdef CUTOFF

@@ -15,8 +15,8 @@ uniform mat4 castle_texture_projector_N;
 uniform mat3 castle_CameraRotationInverseMatrix;
 #endif
 out vec4 castle_TexCoordN;
-
 #ifdef NOISE
+
 // Noise of gradients on the lattice of whole numbers: what the gradient at a corner of the cell adds.
 float corner_noise_N(const in vec3 cell, const in vec3 from_corner)
 {

@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
 
 #include <fmt/format.h>
+
+#include "scene/node_table.h"
 
 namespace plugc {
 namespace {
@@ -63,6 +68,71 @@ std::vector<PictureScene> read_picture_scenes() {
   std::ranges::sort(scenes, {},
                     [](const PictureScene& scene) { return std::tuple(group_place(scene), scene.group, scene.name); });
   return scenes;
+}
+
+namespace {
+
+constexpr std::string_view kComponents[] = {
+    "Shape",   "Rendering", "Geometry3D", "Geometry2D",       "Text",       "Texturing",           "Texturing3D", "Lighting",
+    "Shaders", "Grouping",  "Navigation", "CubeMapTexturing", "Networking", "EnvironmentalEffects"};
+
+/// Nothing of these is drawn, or not by this suite.
+constexpr std::string_view kExceptions[] = {
+    "AcousticProperties",  // is heard
+    "LoadSensor",          // tells of loading
+    "PackagedShader",
+    "ProgramShader",
+    "ShaderProgram",  // shaders in languages that plugc does not compile
+    "EnvironmentLight",
+    "FontLibrary",
+    "InlineGeometry",     // of X3D 4.1, not drawn
+    "Tangent",            // tangents are computed
+    "TextureBackground",  // not drawn
+    "StaticGroup",
+    "ViewpointGroup",  // not drawn
+    "MovieTexture",
+    "RenderedTexture",
+    "GeneratedCubeMapTexture",  // not drawn: one white texel
+    // of the reference engine and of other viewers, not drawn
+    "ImageBackground",
+    "MatrixTransform",
+    "MultiGeneratedTextureCoordinate",
+    "Plane",
+    "Text3D",
+    "ViewpointMirror",
+    // of the reference engine, drawn as the nodes that they extend, or only settings
+    "KambiAppearance",
+    "KambiHeadLight",
+    "KambiInline",
+    "KambiNavigationInfo",
+    "KambiOctreeProperties",
+    "KambiTriangulation",
+};
+
+/// Words that open a node in the classic encoding.
+std::set<std::string> words_before_braces(const std::string& text) {
+  std::set<std::string> words;
+  static const std::regex node(R"(\b([A-Z]\w*)\s*\{)");
+  for (auto found = std::sregex_iterator(text.begin(), text.end(), node); found != std::sregex_iterator(); ++found)
+    words.insert((*found)[1]);
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string> nodes_without_picture(const std::vector<PictureScene>& scenes) {
+  std::set<std::string> shown;
+  for (const PictureScene& scene : scenes) {
+    std::ifstream stream(scene.scene);
+    shown.merge(words_before_braces({std::istreambuf_iterator<char>(stream), {}}));
+  }
+  std::vector<std::string> missing;
+  for (const NodeInfo& node : node_table()) {
+    const bool counts = std::ranges::find(kComponents, node.component) != std::end(kComponents) &&
+                        std::ranges::find(kExceptions, node.name) == std::end(kExceptions);
+    if (counts && !shown.contains(std::string(node.name))) missing.emplace_back(node.name);
+  }
+  return missing;
 }
 
 std::string nodes_page(const std::vector<PictureScene>& scenes) {

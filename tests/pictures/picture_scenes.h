@@ -17,6 +17,10 @@ struct PictureScene {
 /// In the order of groups and names.
 std::vector<PictureScene> read_picture_scenes();
 
+/// Nodes that can be seen, of which no scene has one: those of the components that this suite shows, less what is not to be
+/// seen.
+std::vector<std::string> nodes_without_picture(const std::vector<PictureScene>& scenes);
+
 /// docs/nodes.md: a table a group, every scene with its picture.
 std::string nodes_page(const std::vector<PictureScene>& scenes);
 

@@ -140,11 +140,23 @@ class PageTest : public testing::Test {
   std::string page_;
 };
 
+/// Whoever draws a new node shows it.
+class CoverageTest : public testing::Test {
+ public:
+  explicit CoverageTest(std::vector<std::string> missing) : missing_(std::move(missing)) {}
+  void TestBody() override { EXPECT_THAT(missing_, testing::IsEmpty()) << "stand in no scene of tests/pictures"; }
+
+ private:
+  std::vector<std::string> missing_;
+};
+
 void register_tests(const std::vector<PictureScene>& scenes) {
   for (const PictureScene& scene : scenes) {
     testing::RegisterTest(scene.group.c_str(), scene.name.c_str(), nullptr, nullptr, scene.scene.c_str(), 1,
                           [scene]() -> testing::Test* { return new PictureTest(scene); });
   }
+  testing::RegisterTest("Nodes", "EachStandsInSomePicture", nullptr, nullptr, __FILE__, __LINE__,
+                        [missing = nodes_without_picture(scenes)]() -> testing::Test* { return new CoverageTest(missing); });
   testing::RegisterTest("Page", "ShowsEveryPicture", nullptr, nullptr, __FILE__, __LINE__,
                         [page = nodes_page(scenes)]() -> testing::Test* { return new PageTest(page); });
 }
