@@ -21,14 +21,17 @@ compositing_shaders/force_flat_shading
 compositing_shaders/fresnel_and_toon
 compositing_shaders/grayscale_texture_effect
 compositing_shaders/store_linear_distance_in_red_color
+compositing_shaders/texture_coord_generate
 compositing_shaders/texture_effect_multi
 compositing_shaders/time_to_shader
+shaders/attributes
 shaders/shaders_inlined
 shaders/two_textures
 shadow_maps/castle_with_trees/castle_with_trees_processed
 shadow_maps/primitives_with_commonsurfaceshader
 shadow_maps/projective_texturing_simple
 shadow_maps/teapot
+shadow_volumes/shadows_worm_in_a_room
 """.split()
 
 
