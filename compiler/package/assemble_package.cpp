@@ -12,6 +12,7 @@
 #include "compose/castle_names.h"
 #include "package/pack_geometry.h"
 #include "package/pack_program.h"
+#include "package/pack_transforms.h"
 
 namespace plugc {
 namespace {
@@ -153,20 +154,6 @@ void pack_slots(const Scene& scene, PackedSceneT& packed) {
     name->name = slot.name;
     name->dynamic = slot.dynamic;
     packed.slot_names.push_back(std::move(name));
-  }
-}
-
-void pack_transforms(const Scene& scene, PackedSceneT& packed) {
-  for (const SceneTransform& t : scene.transforms) {
-    packed.transforms.emplace_back(t.parent, t.translation, t.rotation, t.scale, t.scale_orientation, t.center, t.switch_slot,
-                                   t.choice);
-  }
-  for (std::size_t i = 0; i < scene.transforms.size(); ++i) {
-    const std::uint32_t axis = scene.transforms[i].billboard_axis;
-    if (axis != kSceneNoSlot) packed.billboards.emplace_back(static_cast<std::uint32_t>(i), axis);
-  }
-  for (const SceneTextureTransform& t : scene.texture_transforms) {
-    packed.texture_transforms.emplace_back(t.translation, t.rotation, t.scale, t.center);
   }
 }
 
@@ -363,6 +350,7 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
     packed->bounds_min = std::make_unique<PackedVec3>(shape.bounds->min.x, shape.bounds->min.y, shape.bounds->min.z);
     packed->bounds_max = std::make_unique<PackedVec3>(shape.bounds->max.x, shape.bounds->max.y, shape.bounds->max.z);
   }
+  packed->layer = shape.part == ScenePart::world ? PackedLayer::world : PackedLayer::backdrop;
   packed->projected_coords = pack_projected_coords({parts.scene, shape, where.textures}, units_read(parts, plan));
   for (const ReceivedShadow& shadow : shape.receives) packed->receives.push_back(static_cast<std::uint32_t>(shadow.shadow_map));
   return packed;
@@ -396,6 +384,7 @@ void Assembler::add_scene(SceneParts& parts) {
   auto packed = std::make_unique<PackedSceneT>();
   packed->name = scene.name;
   packed->background_color = scene.background_color;
+  packed->bound_viewpoint = scene.bound_viewpoint;
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));

@@ -79,6 +79,13 @@ bool check_billboard(SceneCheck& scene, const PackedBillboard& billboard, const 
          scene.present_slot(place, "axis", billboard.axis(), 3);
 }
 
+bool check_lod_level(SceneCheck& scene, const PackedLodLevel& level, const Place& place) {
+  const bool is_range = level.from() >= 0 && level.from() <= level.to();  // false for NaN
+  if (!is_range) return scene.check.fail(place, fmt::format("{} to {} is no range", level.from(), level.to()));
+  return scene.check.require_index(place, "transform", level.transform(), scene.scene.transforms()->size()) &&
+         scene.present_slot(place, "center", level.center(), 3);
+}
+
 bool check_texture_transform(SceneCheck& scene, const PackedTextureTransform& transform, const Place& place) {
   return scene.slot(place, "translation", transform.translation(), 2) &&
          scene.slot(place, "rotation", transform.rotation(), 1) && scene.slot(place, "scale", transform.scale(), 2) &&
@@ -103,6 +110,9 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          (packed.billboards() == nullptr ||
           check.each(&place, "billboard", *packed.billboards(),
                      [&](const PackedBillboard* one, const Place& at) { return check_billboard(scene, *one, at); })) &&
+         (packed.lod_levels() == nullptr ||
+          check.each(&place, "level of detail", *packed.lod_levels(),
+                     [&](const PackedLodLevel* one, const Place& at) { return check_lod_level(scene, *one, at); })) &&
          check.each(&place, "light", *packed.lights(),
                     [&](const PackedLight* light, const Place& at) { return check_light(scene, *light, at); }) &&
          check.each(&place, "shadow map", *packed.shadow_maps(),
@@ -121,6 +131,8 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          check.each(
              &place, "projector", *packed.projectors(),
              [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
+         (packed.viewpoints()->size() == 0 || is_index_or_none(packed.bound_viewpoint(), packed.viewpoints()->size()) ||
+          check.fail(place, fmt::format("its bound viewpoint {} does not exist", packed.bound_viewpoint()))) &&
          scene.slot(place, "background color", packed.background_color(), 3);
 }
 

@@ -165,6 +165,7 @@ bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place
   if (!is_enumerator(shape.blend_source()) || !is_enumerator(shape.blend_destination())) {
     return check.fail(place, "its blend factor is unknown");
   }
+  if (!is_enumerator(shape.layer())) return check.fail(place, "its layer is unknown");
   return scene.transform(place, shape.transform()) &&
          check.require_index(place, "mesh", shape.mesh(), check.package.meshes()->size()) &&
          check_programs(scene, shape_programs(shape, 0), place) && check_states(scene, shape, place) &&

@@ -166,6 +166,13 @@ void dump_billboards(Text& text, const PackedScene& scene) {
     line(text, "  transform {} turns to the viewer about slot {}", one->transform(), one->axis());
 }
 
+void dump_lod_levels(Text& text, const PackedScene& scene) {
+  if (scene.lod_levels() == nullptr) return;
+  for (const PackedLodLevel* one : *scene.lod_levels())
+    line(text, "  transform {} is shown from {:g} to {:g} away from slot {}", one->transform(), one->from(), one->to(),
+         one->center());
+}
+
 void dump_light(Text& text, const PackedLight& light, std::size_t index) {
   line(text, "  light {} {}: {}{}, transform {}", index, quoted(*light.name()), EnumNamePackedLightKind(light.kind()),
        light.headlight() ? " headlight" : "", light.transform());
@@ -238,7 +245,8 @@ void dump_states(Text& text, const Package& package, const PackedShape& shape) {
 void dump_shape(Text& text, const Package& package, const PackedShape& shape, std::size_t index) {
   line(text, "  shape {} {}: transform {}, mesh {}, program {}", index, quoted(*shape.name()), shape.transform(), shape.mesh(),
        shape.program());
-  line(text, "    {}{}{}{}", shape.cull_back() ? "culls backs" : "two-sided", shape.front_cw() ? ", clockwise" : "",
+  line(text, "    {}{}{}{}{}", shape.layer() == PackedLayer::backdrop ? "backdrop, " : "",
+       shape.cull_back() ? "culls backs" : "two-sided", shape.front_cw() ? ", clockwise" : "",
        shape.wireframe() ? ", wireframe" : "",
        shape.bounds_min() != nullptr ? ", bounds written"
        : shape.bounds_known()        ? ""
@@ -270,6 +278,7 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   dump_slots(text, scene);
   each(*scene.transforms(), [&](const PackedTransform& transform, std::size_t i) { dump_transform(text, transform, i); });
   dump_billboards(text, scene);
+  dump_lod_levels(text, scene);
   each(*scene.lights(), [&](const PackedLight& light, std::size_t i) { dump_light(text, light, i); });
   each(*scene.shadow_maps(), [&](const PackedShadowMap& map, std::size_t i) { dump_shadow_map(text, package, map, i); });
   each(*scene.texture_transforms(),
@@ -277,6 +286,8 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   each(*scene.shapes(), [&](const PackedShape& shape, std::size_t i) { dump_shape(text, package, shape, i); });
   each(*scene.viewpoints(),
        [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "viewpoint", viewpoint, i); });
+  if (scene.viewpoints()->size() != 0 && scene.bound_viewpoint() != 0)
+    line(text, "  bound viewpoint {}", scene.bound_viewpoint());
   each(*scene.projectors(),
        [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "projector", viewpoint, i); });
 }
