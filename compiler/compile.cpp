@@ -91,7 +91,7 @@ LoadedScene load_scene(const std::filesystem::path& path, const CompileOptions& 
   if (!source) return {};
   LoadedScene loaded = load_scene(*source, path, "", options, files, sources, diagnostics);
   loaded.source = *source;
-  const bool needs_stage = loaded.scene.shapes.empty() && !loaded.scene.effects.empty() && !options.stage.empty();
+  const bool needs_stage = !has_world_shapes(loaded.scene) && !loaded.scene.effects.empty() && !options.stage.empty();
   return needs_stage ? load_scene(*source, path, options.stage, options, files, sources, diagnostics) : std::move(loaded);
 }
 
@@ -162,7 +162,7 @@ std::vector<SceneParts> compile_file(const std::filesystem::path& path, const Co
   LoadedScene loaded = load_scene(path, options, files, sources, diagnostics);
   timer.reset();
   std::vector<SceneParts> parts;
-  const bool is_library = loaded.source.valid() && loaded.scene.shapes.empty() && !library_effects(loaded.graph).empty();
+  const bool is_library = loaded.source.valid() && !has_world_shapes(loaded.scene) && !library_effects(loaded.graph).empty();
   if (options.library && is_library)
     parts = compile_library_file(loaded.source, path, options, files, validator, sources, diagnostics, statistics);
   else

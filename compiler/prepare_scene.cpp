@@ -11,6 +11,7 @@
 #include "mesh/mesh.h"
 #include "mesh/tangents.h"
 #include "mesh/unit_coords.h"
+#include "prepare_backdrop.h"
 #include "prepare_shadows.h"
 #include "scene/shadow_volumes.h"
 #include "shadow_geometry.h"
@@ -27,6 +28,7 @@ std::vector<UnitCoords> unit_coords(const SceneShape& shape) {
 
 void prepare_meshes(const NodeGraph& graph, SceneParts& parts, MeshCache& made, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
+    if (parts.scene.shapes[i].part != ScenePart::world) continue;
     const NodeId geometry = parts.scene.shapes[i].geometry;
     const auto [plain, added] = made.by_node.try_emplace({geometry, {}});
     if (added) {
@@ -115,7 +117,8 @@ AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
     const auto& image = parts.images[static_cast<std::size_t>(texture.texture)];
     if (image != nullptr) use = std::max(use, image->alpha);
   }
-  return use;
+  const bool of_backdrop = shape.part != ScenePart::world;  // its pictures lie over the gradients (X3D 4.1, 24.2.1)
+  return of_backdrop && use == AlphaUse::tested ? AlphaUse::blended : use;
 }
 
 /// Recipes, each once.
@@ -255,7 +258,12 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   drop_missing_textures(parts.scene, parts.images);
   // from here textures have their final numbers, which those of texture coordinates follow
   prepare_meshes(graph, parts, meshes, diagnostics);
+<<<<<<< ours
   prepare_fill(parts);
+||||||| base
+=======
+  prepare_backdrop(graph, parts, diagnostics);
+>>>>>>> theirs
   prepare_tangents(parts);
   prepare_effect_code(parts.scene, prepared, diagnostics);
   mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);

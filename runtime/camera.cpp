@@ -109,9 +109,10 @@ std::optional<std::uint32_t> named_viewpoint(const PackedScene& scene, const std
 void report_unknown_viewpoint(const PackedScene& scene, const std::string& wanted, Messages& messages) {
   if (wanted.empty() || named_viewpoint(scene, wanted)) return;
   const std::uint32_t count = scene.viewpoints()->size();
+  const std::string shown = scene.bound_viewpoint() < 0 ? "the whole scene" : "the bound one";
   messages.add("no viewpoint `" + wanted + "`: " +
                (count == 0 ? "the scene has none, so the whole of it is shown"
-                           : "the first one is shown; give a DEF name or an index below " + std::to_string(count)));
+                           : shown + " is shown; give a DEF name or an index below " + std::to_string(count)));
 }
 
 /// In front of the scene by twice its mean size.
@@ -156,7 +157,8 @@ View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World
 
 std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted) {
   if (scene.viewpoints()->size() == 0) return -1;
-  return wanted.empty() ? 0 : static_cast<std::int32_t>(named_viewpoint(scene, wanted).value_or(0));
+  const auto named = wanted.empty() ? std::nullopt : named_viewpoint(scene, wanted);
+  return named ? static_cast<std::int32_t>(*named) : scene.bound_viewpoint();
 }
 
 View view_of_world(const World& world, double aspect) {

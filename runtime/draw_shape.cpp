@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "runtime/backdrop.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/program.h"
 #include "runtime/uniforms.h"
@@ -171,7 +172,8 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   const LoadedProgram& program = scene.programs.get(program_index, messages);
   if (!program.program) return false;
   gl::use_program(functions, program.program);
-  const glm::dmat4& object_to_world = scene.world.at(shape.transform()).matrix;
+  const glm::dmat4& placed = scene.world.at(shape.transform()).matrix;
+  const glm::dmat4 object_to_world = shape.layer() == PackedLayer::backdrop ? rotation_of(placed) : placed;
   const UniformInputs inputs{*scene.packed,   scene.slots,       scene.world,
                              pass.view,       pass.shadow_views, pass.depth_only ? &pass.view : nullptr,
                              object_to_world, pass.depth_range,  pass.bound_viewpoint,
@@ -213,6 +215,7 @@ std::vector<std::uint32_t> draw_order(const LoadedScene& scene, const View& view
   std::vector<std::uint32_t> order;
   std::vector<double> distance(scene.shape_count(), 0);
   for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
+    if (scene.shape(i).layer() != PackedLayer::world) continue;
     if (!scene.world.shape_visible[i] || !may_be_seen(scene, i, world_to_clip)) continue;
     distance[i] = scene.shape(i).blended() ? distance_from_eye(scene.world.shape_bounds[i], view) : 0;
     order.push_back(i);

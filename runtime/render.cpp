@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/backdrop.h"
 #include "runtime/cube_map.h"
 #include "runtime/draw_shape.h"
 #include "runtime/gl/pass.h"
@@ -36,9 +37,10 @@ void place_scene(LoadedScene& scene) {
   scene.placed_for.reset();
 }
 
-/// Turns what has to face the viewer. True where something may stand elsewhere now, the camera too.
-bool turn_billboards(LoadedScene& scene, const View& camera) {
-  if (scene.packed->billboards() == nullptr || scene.packed->billboards()->size() == 0) return false;
+/// Turns what has to face the viewer, and chooses levels of detail. True where something may stand elsewhere now, the camera
+/// too.
+bool place_for_viewer(LoadedScene& scene, const View& camera) {
+  if (!depends_on_viewer(*scene.packed)) return false;
   const Viewer viewer{glm::dvec3(camera.eye_to_world[3]), glm::dvec3(camera.eye_to_world[1]),
                       glm::dvec3(camera.eye_to_world[2])};
   if (scene.placed_for == viewer) return false;
@@ -122,6 +124,7 @@ void draw_picture(const gl::Functions& gl, LoadedScene& scene, const FrameTarget
   pass.bound_viewpoint = camera.viewpoint;
   pass.target_size = {target.width, target.height};
   gl::begin_color_pass(gl, target.framebuffer, target.width, target.height, background_of(scene));
+  statistics.draw_calls += draw_backdrop(gl, scene, pass, messages);
   for (const std::uint32_t shape : draw_order(scene, camera.view)) {
     statistics.draw_calls += draw_shape(gl, scene, pass, shape, messages) ? 1 : 0;
   }
@@ -138,7 +141,7 @@ FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const Fr
   const double aspect = static_cast<double>(target.width) / target.height;
   const auto look = [&] { return make_camera(*scene.packed, scene.slots, scene.world, options.viewpoint, aspect, messages); };
   Camera camera{look(), bound_viewpoint(*scene.packed, options.viewpoint)};
-  if (turn_billboards(scene, camera.view)) camera.view = look();
+  if (place_for_viewer(scene, camera.view)) camera.view = look();
   if (options.shadows) {
     draw_shadow_maps(gl, scene, camera.view, programs, statistics, messages);
     trace_shadows(gl, scene, camera.view, target.width, target.height, messages);

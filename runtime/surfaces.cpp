@@ -84,6 +84,7 @@ std::vector<Surface> read_surfaces(const Package& package, const PackedScene& sc
   for (std::uint32_t i = 0; i < count; ++i) {
     const PackedShape& shape = *scene.shapes()->Get(i);
     const PackedMesh& mesh = *package.meshes()->Get(shape.mesh());
+    if (shape.layer() != PackedLayer::world) continue;
     if (!world.shape_visible[i] || mesh.topology() != PackedTopology::triangles) continue;
     const ShapePrograms use = shape_programs(shape, world.shape_variant[i]);
     Surface surface;

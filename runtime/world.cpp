@@ -72,6 +72,43 @@ std::uint8_t current_variant(const PackedShape& shape, const PackedScene& scene,
   return count == 0 ? 0 : shape.states()->Get(state);
 }
 
+/// Without a viewer, or where there is no distance, the nearest level is.
+bool is_shown(const PackedLodLevel& level, const glm::dmat4& to_world, const Slots& slots, const Viewer* viewer) {
+  double distance = 0;
+  if (viewer != nullptr) {
+    const glm::dvec3 eye(glm::inverse(to_world) * glm::dvec4(viewer->eye, 1));
+    distance = glm::length(eye - slots.vector3(level.center(), glm::dvec3(0)));
+    if (!std::isfinite(distance)) distance = 0;
+  }
+  return distance >= level.from() && distance < level.to();
+}
+
+/// The few transforms that have more than a PackedTransform says, by index.
+struct SpecialTransforms {
+  std::map<std::uint32_t, std::uint32_t> billboard_axes;
+  std::map<std::uint32_t, const PackedLodLevel*> lod_levels;
+};
+
+SpecialTransforms find_special(const PackedScene& scene) {
+  SpecialTransforms special;
+  if (scene.billboards() != nullptr)
+    for (const PackedBillboard* billboard : *scene.billboards())
+      special.billboard_axes[billboard->transform()] = billboard->axis();
+  if (scene.lod_levels() != nullptr)
+    for (const PackedLodLevel* level : *scene.lod_levels()) special.lod_levels[level->transform()] = level;
+  return special;
+}
+
+/// What stands above `placed` is placed.
+void follow_viewer(const SpecialTransforms& special, std::uint32_t index, const Slots& slots, const Viewer* viewer,
+                   PlacedTransform& placed) {
+  if (const auto level = special.lod_levels.find(index); level != special.lod_levels.end())
+    placed.visible = placed.visible && is_shown(*level->second, placed.matrix, slots, viewer);
+  if (viewer == nullptr) return;
+  if (const auto axis = special.billboard_axes.find(index); axis != special.billboard_axes.end())
+    placed.matrix = placed.matrix * billboard_turn(slots.vector3(axis->second, {0, 1, 0}), placed.matrix, *viewer);
+}
+
 }  // namespace
 
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world) {
@@ -97,27 +134,31 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
             std::int32_t own_scene_of) {
   World world;
   world.transforms.reserve(scene.transforms()->size());
-  std::map<std::uint32_t, std::uint32_t> axes;  // of billboards, by transform
-  if (viewer != nullptr && scene.billboards() != nullptr)
-    for (const PackedBillboard* billboard : *scene.billboards()) axes[billboard->transform()] = billboard->axis();
+  const SpecialTransforms special = find_special(scene);
   for (const PackedTransform* packed : *scene.transforms()) {
     const auto index = static_cast<std::uint32_t>(world.transforms.size());
     world.transforms.push_back(place_transform(*packed, world.at(packed->parent()), slots));
-    if (const auto axis = axes.find(index); axis != axes.end()) {
-      glm::dmat4& matrix = world.transforms.back().matrix;
-      matrix = matrix * billboard_turn(slots.vector3(axis->second, {0, 1, 0}), matrix, *viewer);
-    }
+    follow_viewer(special, index, slots, viewer, world.transforms.back());
   }
   for (const PackedShape* shape : *scene.shapes()) {
     const PlacedTransform& placed = world.at(shape->transform());
-    const bool visible = placed.visible && shape->own_scene_of() == own_scene_of;
-    const Box own = visible ? object_bounds(package, *shape) : Box{};
+    const bool in_world = shape->layer() == PackedLayer::world;
+    const bool chosen = placed.visible || !in_world;  // what is bound shows wherever it stands
+    const bool visible = chosen && shape->own_scene_of() == own_scene_of;
+    const bool has_place = visible && in_world;
+    const Box own = has_place ? object_bounds(package, *shape) : Box{};
     world.shape_visible.push_back(visible);
     world.shape_variant.push_back(current_variant(*shape, scene, slots, world));
     world.shape_bounds.push_back(transformed(own, placed.matrix));
     world.bounds = join(world.bounds, world.shape_bounds.back());
   }
   return world;
+}
+
+bool depends_on_viewer(const PackedScene& scene) {
+  const bool turns = scene.billboards() != nullptr && scene.billboards()->size() != 0;
+  const bool chooses = scene.lod_levels() != nullptr && scene.lod_levels()->size() != 0;
+  return turns || chooses;
 }
 
 Box object_bounds(const Package& package, const PackedShape& shape) {

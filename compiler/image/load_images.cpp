@@ -65,9 +65,9 @@ std::shared_ptr<const Image> load_url(const Loading& l, NodeId texture, const Ma
   return l.loaded[*path] = decode(l, *bytes, url.text(), span, failures);
 }
 
-std::shared_ptr<const Image> load_urls(const Loading& l, NodeId texture) {
+std::shared_ptr<const Image> load_urls(const Loading& l, NodeId texture, std::string_view field = "url") {
   Diagnostics failures(l.diagnostics.sources());
-  for (const MappedText& url : l.graph.field(texture, "url").strings) {
+  for (const MappedText& url : l.graph.field(texture, field).strings) {
     if (auto image = load_url(l, texture, url, failures)) return image;
   }
   for (const Diagnostic& failure : failures.all()) l.diagnostics.report(failure.id, failure.span, failure.message);
@@ -120,8 +120,10 @@ std::shared_ptr<const Image> load_cube(const Loading& l, NodeId texture) {
   return load_joined(l, texture, pictures, "", cube_of_faces);
 }
 
-std::shared_ptr<const Image> load_texture(const Loading& l, NodeId texture) {
+std::shared_ptr<const Image> load_texture(const Loading& l, const SceneTexture& wanted) {
   const NodeGraph& graph = l.graph;
+  const NodeId texture = wanted.node;
+  if (wanted.url_field != "url") return load_urls(l, texture, wanted.url_field);
   if (graph.is(texture, "PixelTexture3D"))
     return finish(l, texture, "image", volume_of_pixels(graph.field(texture, "image").numbers));
   if (graph.is(texture, "ComposedCubeMapTexture")) return load_cube(l, texture);
@@ -146,7 +148,7 @@ std::vector<std::shared_ptr<const Image>> load_images(const NodeGraph& graph, co
   const Loading loading{graph, loaded, shares_facts ? known->by_hash : decoded, files, diagnostics, detail};
   std::vector<std::shared_ptr<const Image>> images;
   for (const SceneTexture& texture : scene.textures) {
-    images.push_back(texture.has_pixels ? load_texture(loading, texture.node) : nullptr);
+    images.push_back(texture.has_pixels ? load_texture(loading, texture) : nullptr);
   }
   return images;
 }

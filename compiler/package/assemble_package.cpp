@@ -14,6 +14,7 @@
 #include "package/pack_geometry.h"
 #include "package/pack_program.h"
 #include "package/pack_style.h"
+#include "package/pack_transforms.h"
 
 namespace plugc {
 namespace {
@@ -163,20 +164,6 @@ void pack_slots(const Scene& scene, PackedSceneT& packed) {
     name->name = slot.name;
     name->dynamic = slot.dynamic;
     packed.slot_names.push_back(std::move(name));
-  }
-}
-
-void pack_transforms(const Scene& scene, PackedSceneT& packed) {
-  for (const SceneTransform& t : scene.transforms) {
-    packed.transforms.emplace_back(t.parent, t.translation, t.rotation, t.scale, t.scale_orientation, t.center, t.switch_slot,
-                                   t.choice);
-  }
-  for (std::size_t i = 0; i < scene.transforms.size(); ++i) {
-    const std::uint32_t axis = scene.transforms[i].billboard_axis;
-    if (axis != kSceneNoSlot) packed.billboards.emplace_back(static_cast<std::uint32_t>(i), axis);
-  }
-  for (const SceneTextureTransform& t : scene.texture_transforms) {
-    packed.texture_transforms.emplace_back(t.translation, t.rotation, t.scale, t.center);
   }
 }
 
@@ -375,6 +362,7 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
   }
   const Recipe& recipe = parts.programs[static_cast<std::size_t>(plan.variants.front().program)].used;
   pack_style(shape, recipe.point_size, *packed);
+  packed->layer = shape.part == ScenePart::world ? PackedLayer::world : PackedLayer::backdrop;
   packed->projected_coords = pack_projected_coords({parts.scene, shape, where.textures}, units_read(parts, plan));
   for (const ReceivedShadow& shadow : shape.receives) packed->receives.push_back(static_cast<std::uint32_t>(shadow.shadow_map));
   return packed;
@@ -408,6 +396,7 @@ void Assembler::add_scene(SceneParts& parts) {
   auto packed = std::make_unique<PackedSceneT>();
   packed->name = scene.name;
   packed->background_color = scene.background_color;
+  packed->bound_viewpoint = scene.bound_viewpoint;
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   pack_clip_planes(scene, *packed);

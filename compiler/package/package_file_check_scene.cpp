@@ -84,6 +84,13 @@ bool check_clip_plane(SceneCheck& scene, const PackedClipPlane& plane, const Pla
          scene.present_slot(place, "enabled", plane.enabled(), 1);
 }
 
+bool check_lod_level(SceneCheck& scene, const PackedLodLevel& level, const Place& place) {
+  const bool is_range = level.from() >= 0 && level.from() <= level.to();  // false for NaN
+  if (!is_range) return scene.check.fail(place, fmt::format("{} to {} is no range", level.from(), level.to()));
+  return scene.check.require_index(place, "transform", level.transform(), scene.scene.transforms()->size()) &&
+         scene.present_slot(place, "center", level.center(), 3);
+}
+
 bool check_texture_transform(SceneCheck& scene, const PackedTextureTransform& transform, const Place& place) {
   return scene.slot(place, "translation", transform.translation(), 2) &&
          scene.slot(place, "rotation", transform.rotation(), 1) && scene.slot(place, "scale", transform.scale(), 2) &&
@@ -111,6 +118,9 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          (packed.clip_planes() == nullptr ||
           check.each(&place, "clip plane", *packed.clip_planes(),
                      [&](const PackedClipPlane* plane, const Place& at) { return check_clip_plane(scene, *plane, at); })) &&
+         (packed.lod_levels() == nullptr ||
+          check.each(&place, "level of detail", *packed.lod_levels(),
+                     [&](const PackedLodLevel* one, const Place& at) { return check_lod_level(scene, *one, at); })) &&
          check.each(&place, "light", *packed.lights(),
                     [&](const PackedLight* light, const Place& at) { return check_light(scene, *light, at); }) &&
          check.each(&place, "shadow map", *packed.shadow_maps(),
@@ -129,6 +139,8 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          check.each(
              &place, "projector", *packed.projectors(),
              [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
+         (packed.viewpoints()->size() == 0 || is_index_or_none(packed.bound_viewpoint(), packed.viewpoints()->size()) ||
+          check.fail(place, fmt::format("its bound viewpoint {} does not exist", packed.bound_viewpoint()))) &&
          scene.slot(place, "background color", packed.background_color(), 3);
 }
 

@@ -170,6 +170,7 @@ bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place
   if (!is_enumerator(shape.blend_source()) || !is_enumerator(shape.blend_destination())) {
     return check.fail(place, "its blend factor is unknown");
   }
+  if (!is_enumerator(shape.layer())) return check.fail(place, "its layer is unknown");
   return scene.transform(place, shape.transform()) && scene.slot(place, "line width", shape.line_width(), 1) &&
          scene.slot(place, "alpha cutoff", shape.alpha_cutoff(), 1) &&
          scene.slot(place, "blend color", shape.blend_color(), 3) &&

@@ -187,6 +187,13 @@ void dump_style(Text& text, const PackedShape& shape) {
     line(text, "    blend color slot {}, transparency slot {}", shape.blend_color(), slot(shape.blend_transparency()));
 }
 
+void dump_lod_levels(Text& text, const PackedScene& scene) {
+  if (scene.lod_levels() == nullptr) return;
+  for (const PackedLodLevel* one : *scene.lod_levels())
+    line(text, "  transform {} is shown from {:g} to {:g} away from slot {}", one->transform(), one->from(), one->to(),
+         one->center());
+}
+
 void dump_light(Text& text, const PackedLight& light, std::size_t index) {
   line(text, "  light {} {}: {}{}, transform {}", index, quoted(*light.name()), EnumNamePackedLightKind(light.kind()),
        light.headlight() ? " headlight" : "", light.transform());
@@ -259,7 +266,8 @@ void dump_states(Text& text, const Package& package, const PackedShape& shape) {
 void dump_shape(Text& text, const Package& package, const PackedShape& shape, std::size_t index) {
   line(text, "  shape {} {}: transform {}, mesh {}, program {}", index, quoted(*shape.name()), shape.transform(), shape.mesh(),
        shape.program());
-  line(text, "    {}{}{}{}", shape.cull_back() ? "culls backs" : "two-sided", shape.front_cw() ? ", clockwise" : "",
+  line(text, "    {}{}{}{}{}", shape.layer() == PackedLayer::backdrop ? "backdrop, " : "",
+       shape.cull_back() ? "culls backs" : "two-sided", shape.front_cw() ? ", clockwise" : "",
        shape.wireframe() ? ", wireframe" : "",
        shape.bounds_min() != nullptr ? ", bounds written"
        : shape.bounds_known()        ? ""
@@ -293,6 +301,7 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   each(*scene.transforms(), [&](const PackedTransform& transform, std::size_t i) { dump_transform(text, transform, i); });
   dump_billboards(text, scene);
   dump_clip_planes(text, scene);
+  dump_lod_levels(text, scene);
   each(*scene.lights(), [&](const PackedLight& light, std::size_t i) { dump_light(text, light, i); });
   each(*scene.shadow_maps(), [&](const PackedShadowMap& map, std::size_t i) { dump_shadow_map(text, package, map, i); });
   each(*scene.texture_transforms(),
@@ -300,6 +309,8 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
   each(*scene.shapes(), [&](const PackedShape& shape, std::size_t i) { dump_shape(text, package, shape, i); });
   each(*scene.viewpoints(),
        [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "viewpoint", viewpoint, i); });
+  if (scene.viewpoints()->size() != 0 && scene.bound_viewpoint() != 0)
+    line(text, "  bound viewpoint {}", scene.bound_viewpoint());
   each(*scene.projectors(),
        [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "projector", viewpoint, i); });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -44,13 +45,14 @@ enum class Role : std::uint8_t {
 };
 
 Role role_of(const NodeInfo& node) {
-  static constexpr std::array<std::pair<std::string_view, Role>, 13> kRoles = {{{"Shape", Role::shape},
+  static constexpr std::array<std::pair<std::string_view, Role>, 14> kRoles = {{{"Shape", Role::shape},
                                                                                 {"Switch", Role::switch_},
                                                                                 {"LOD", Role::lod},
                                                                                 {"Transform", Role::transform},
                                                                                 {"Billboard", Role::billboard},
                                                                                 {"Inline", Role::inlined},
                                                                                 {"X3DGroupingNode", Role::group},
+                                                                                {"StaticGroup", Role::group},
                                                                                 {"Effect", Role::effect},
                                                                                 {"DirectionalLight", Role::light},
                                                                                 {"PointLight", Role::light},
@@ -63,6 +65,14 @@ Role role_of(const NodeInfo& node) {
   return Role::other;
 }
 
+/// What the walk must know of a type.
+struct TypeUse {
+  Role role = Role::other;
+  bool has_visible = false;
+};
+
+enum class Visibility : std::uint8_t { shown, hidden, changing };
+
 class SceneWalk {
  public:
   explicit SceneWalk(SceneContext& context) : context_(context), graph_(context.graph) {}
@@ -73,12 +83,14 @@ class SceneWalk {
     const std::span<const NodeId> roots = alone ? std::span<const NodeId>(stage) : graph_.roots();
     check_top(roots);
     visit_list(roots);
+    add_background();
     if (context_.options.all_branches) add_unreached_effects();
     add_headlight(context_, navigation_info_);
     context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
-    if (!has_background_)
+    if (!background_.valid())
       context_.scene.background_color = context_.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
     for (SceneShape& shape : context_.scene.shapes) {
+      if (shape.part != ScenePart::world) continue;
       add_global_lights(shape);
       if (shape.fog == kBoundFog) shape.fog = bound_fog_.value_or(-1);
     }
@@ -89,23 +101,33 @@ class SceneWalk {
 
  private:
   void visit_list(std::span<const NodeId> nodes);
+  int add_transform(const SceneTransform& transform);
   void visit_below(const SceneTransform& transform, std::span<const NodeId> nodes);
   void act_on_siblings(NodeId node);
   void check_top(std::span<const NodeId> nodes);
   void visit(NodeId node);
   void visit_switch(NodeId node);
+  void visit_lod(NodeId node);
+  void visit_inline(NodeId node);
   void visit_transform(NodeId node);
   void visit_shape(NodeId node);
-  void visit_bindable(NodeId node);
+  void visit_other(NodeId node);
+  void visit_viewpoint(NodeId node);
+  void bind_if_first(NodeId node);
+  void add_background();
   void add_global_lights(SceneShape& shape);
   void add_unreached_effects();
   bool within_limits(NodeId node);
-  Role role(NodeId node);
+  Role role(NodeId node) { return use_of(node).role; }
+  const TypeUse& use_of(NodeId node);
+  Visibility visibility(NodeId node);
+  SceneTransform condition(NodeId node, std::string_view field, int value);
 
   SceneContext& context_;
   const NodeGraph& graph_;
   NodeId navigation_info_;
-  bool has_background_ = false;
+  NodeId background_;
+  int background_transform_ = -1;
   std::optional<int> bound_fog_;
   std::vector<int> global_lights_;
   std::vector<NodeId> appearances_;  // per shape; not valid where it has none
@@ -117,9 +139,12 @@ class SceneWalk {
   int fog_ = kBoundFog;       // the nearest LocalFog; -1: one that lets everything through
   std::vector<int> clip_planes_;
 
-  std::unordered_map<const NodeInfo*, Role> roles_;
+  std::uint32_t hidden_ = 0;  // nodes above that are not visible, for good
+
+  std::unordered_map<const NodeInfo*, TypeUse> uses_;
   std::uint32_t visited_ = 0;
   std::uint32_t depth_ = 0;
+  std::uint32_t inlines_ = 0;  // around what is visited
   bool limit_reached_ = false;
 };
 
@@ -140,11 +165,27 @@ bool SceneWalk::within_limits(NodeId node) {
 }
 
 /// A type's bases are looked up once: the walk meets the same few types again and again.
-Role SceneWalk::role(NodeId node) {
+const TypeUse& SceneWalk::use_of(NodeId node) {
   const NodeInfo* info = graph_[node].info;
-  const auto [known, is_new] = roles_.try_emplace(info, Role::other);
-  if (is_new) known->second = role_of(*info);
+  const auto [known, is_new] = uses_.try_emplace(info);
+  if (is_new) known->second = {role_of(*info), graph_.has_field(node, "visible")};
   return known->second;
+}
+
+/// X3D 4.1, 10.3.1: `visible FALSE` hides, and does nothing else.
+Visibility SceneWalk::visibility(NodeId node) {
+  if (!use_of(node).has_visible || context_.options.all_branches) return Visibility::shown;
+  if (context_.slots.may_change(node, "visible")) return Visibility::changing;
+  return graph_.boolean(node, "visible") ? Visibility::shown : Visibility::hidden;
+}
+
+/// The current transform, but only while the field of that node has that value.
+SceneTransform SceneWalk::condition(NodeId node, std::string_view field, int value) {
+  SceneTransform transform;
+  transform.parent = transform_;
+  transform.switch_slot = context_.slots.slot(node, field);
+  transform.choice = value;
+  return transform;
 }
 
 void SceneWalk::visit_list(std::span<const NodeId> nodes) {
@@ -167,7 +208,7 @@ void SceneWalk::act_on_siblings(NodeId node) {
     if (const int effect = effect_index(context_, node); effect >= 0) effects_.push_back(effect);
   } else if (role(node) == Role::light) {
     const bool off_for_good = !graph_.boolean(node, "on") && !context_.slots.may_change(node, "on");
-    if (off_for_good) return;
+    if (off_for_good || hidden_ > 0) return;
     (graph_.boolean(node, "global") ? global_lights_ : lights_).push_back(add_light(context_, node, transform_));
   } else if (role(node) == Role::local_fog && graph_.boolean(node, "enabled")) {
     fog_ = add_fog(context_, node, transform_);
@@ -191,14 +232,14 @@ void SceneWalk::check_top(std::span<const NodeId> nodes) {
 void SceneWalk::visit(NodeId node) {
   ++visited_;
   ++depth_;
+  const int outer = transform_;
+  const Visibility visible = visibility(node);
+  if (visible == Visibility::changing) transform_ = add_transform(condition(node, "visible", 1));
+  if (visible == Visibility::hidden) ++hidden_;
   switch (role(node)) {
     case Role::shape: visit_shape(node); break;
     case Role::switch_: visit_switch(node); break;
-    case Role::lod: {
-      const auto levels = graph_.children(node, "children");
-      visit_list(levels.subspan(0, std::min<std::size_t>(levels.size(), 1)));
-      break;
-    }
+    case Role::lod: visit_lod(node); break;
     case Role::transform: visit_transform(node); break;
     case Role::billboard: {
       SceneTransform transform;
@@ -208,22 +249,25 @@ void SceneWalk::visit(NodeId node) {
       break;
     }
     case Role::group: visit_list(graph_.children(node, "children")); break;
-    case Role::inlined:
-      check_top(graph_.children(node, "children"));
-      visit_list(graph_.children(node, "children"));
-      break;
-    case Role::other: visit_bindable(node); break;
+    case Role::inlined: visit_inline(node); break;
+    case Role::other: visit_other(node); break;
     case Role::effect:
     case Role::light:
     case Role::local_fog:
     case Role::clip_plane: break;  // they acted on their siblings
   }
+  if (visible == Visibility::hidden) --hidden_;
+  transform_ = outer;
   --depth_;
 }
 
-void SceneWalk::visit_below(const SceneTransform& transform, std::span<const NodeId> nodes) {
+int SceneWalk::add_transform(const SceneTransform& transform) {
   context_.scene.transforms.push_back(transform);
-  const int outer = std::exchange(transform_, static_cast<int>(context_.scene.transforms.size() - 1));
+  return static_cast<int>(context_.scene.transforms.size() - 1);
+}
+
+void SceneWalk::visit_below(const SceneTransform& transform, std::span<const NodeId> nodes) {
+  const int outer = std::exchange(transform_, add_transform(transform));
   visit_list(nodes);
   transform_ = outer;
 }
@@ -250,12 +294,34 @@ void SceneWalk::visit_switch(NodeId node) {
     return;
   }
   for (std::size_t i = 0; i < children.size(); ++i) {
+    visit_below(condition(node, "whichChoice", static_cast<int>(i)), children.subspan(i, 1));
+  }
+}
+
+/// Each level under a condition of its own (X3D 4.1, 23.4.3). Ranges that do not grow count as the largest so far.
+void SceneWalk::visit_lod(NodeId node) {
+  const auto ranges = graph_.field(node, "range").numbers;
+  const auto all = graph_.children(node, "children");
+  const auto levels = all.subspan(0, std::min(all.size(), ranges.size() + 1));
+  if (levels.size() <= 1) return visit_list(levels);
+  double from = 0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
     SceneTransform transform;
     transform.parent = transform_;
-    transform.switch_slot = context_.slots.slot(node, "whichChoice");
-    transform.choice = static_cast<int>(i);
-    visit_below(transform, children.subspan(i, 1));
+    transform.lod_center = context_.slots.slot(node, "center");
+    transform.lod_from = from;
+    const bool is_last = i + 1 == levels.size();
+    from = is_last ? std::numeric_limits<double>::infinity() : ranges[i] > from ? ranges[i] : from;
+    transform.lod_to = from;
+    visit_below(transform, levels.subspan(i, 1));
   }
+}
+
+void SceneWalk::visit_inline(NodeId node) {
+  check_top(graph_.children(node, "children"));
+  ++inlines_;
+  visit_list(graph_.children(node, "children"));
+  --inlines_;
 }
 
 Shading read_shading(SceneContext& context, NodeId shape) {
@@ -267,6 +333,7 @@ Shading read_shading(SceneContext& context, NodeId shape) {
 
 void SceneWalk::visit_shape(NodeId node) {
   const NodeId geometry = graph_.child(node, "geometry");
+  if (hidden_ > 0) return;
   if (!geometry.valid() || (!graph_.boolean(node, "render") && !context_.options.all_branches)) return;
   SceneShape shape;
   shape.node = node;
@@ -289,25 +356,49 @@ void SceneWalk::visit_shape(NodeId node) {
   context_.scene.shapes.push_back(std::move(shape));
 }
 
-void SceneWalk::visit_bindable(NodeId node) {
-  if (graph_.is(node, "Viewpoint") || graph_.is(node, "OrthoViewpoint")) {
-    context_.scene.viewpoints.push_back(read_viewpoint(context_, node, transform_));
-  } else if (graph_.is(node, "X3DBackgroundNode") && !has_background_) {
-    has_background_ = true;
-    context_.scene.background_color = context_.slots.slot(node, "skyColor");
-  } else if ((graph_.is(node, "NavigationInfo") || graph_.is(node, "KambiNavigationInfo")) && !navigation_info_.valid()) {
-    navigation_info_ = node;
-  } else if (graph_.is(node, "Fog")) {
-    if (!bound_fog_) bound_fog_ = add_fog(context_, node, transform_);  // the first is bound (X3D 4.1, 7.2.2)
+void SceneWalk::visit_other(NodeId node) {
+  if (graph_.is(node, "X3DViewpointNode")) {
+    visit_viewpoint(node);
+  } else if (graph_.is(node, "ViewpointGroup")) {
+    visit_list(graph_.children(node, "children"));
   } else if (graph_.is(node, "ScreenEffect")) {
     context_.diagnostics.report(DiagnosticId::not_drawn, graph_[node].type_span,
                                 fmt::format("a `{}` is not drawn yet", graph_[node].info->name));
+  } else {
+    bind_if_first(node);
   }
+}
+
+void SceneWalk::visit_viewpoint(NodeId node) {
+  if (!graph_.is(node, "Viewpoint") && !graph_.is(node, "OrthoViewpoint")) return;
+  Scene& scene = context_.scene;
+  if (inlines_ == 0 && scene.bound_viewpoint < 0) scene.bound_viewpoint = static_cast<int>(scene.viewpoints.size());
+  scene.viewpoints.push_back(read_viewpoint(context_, node, transform_));
+}
+
+/// The first of its kind is bound; those of an Inline are no candidates (X3D 4.1, 7.2.2).
+void SceneWalk::bind_if_first(NodeId node) {
+  if (inlines_ > 0) return;
+  if (graph_.is(node, "X3DBackgroundNode") && !background_.valid()) {
+    background_ = node;
+    background_transform_ = transform_;
+    context_.scene.background_color = context_.slots.slot(node, "skyColor");
+  } else if ((graph_.is(node, "NavigationInfo") || graph_.is(node, "KambiNavigationInfo")) && !navigation_info_.valid()) {
+    navigation_info_ = node;
+  } else if (graph_.is(node, "Fog") && !bound_fog_) {
+    bound_fog_ = add_fog(context_, node, transform_);
+  }
+}
+
+/// Its shapes stand behind those of the world.
+void SceneWalk::add_background() {
+  if (background_.valid()) add_backdrop(context_, background_, background_transform_);
+  appearances_.resize(context_.scene.shapes.size());
 }
 
 /// Effects that no shape shows (in an unused prototype, say) are tried on a copy of the first shape.
 void SceneWalk::add_unreached_effects() {
-  if (context_.scene.shapes.empty()) return;
+  if (!has_world_shapes(context_.scene)) return;
   const SceneShape bare = [&] {
     SceneShape shape = context_.scene.shapes.front();
     shape.effects.clear();

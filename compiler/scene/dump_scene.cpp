@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::string_view kLightKinds[] = {"directional", "point", "spot"};
 constexpr std::string_view kFogKinds[] = {"none", "linear", "exponential"};
+constexpr std::string_view kParts[] = {"", " gradient", " back", " bottom", " front", " left", " right", " top"};
 constexpr std::string_view kPartStages[] = {"VERTEX", "GEOMETRY", "FRAGMENT", "LIGHT"};
 
 std::string numbers(const std::vector<double>& values) {
@@ -74,9 +75,10 @@ std::string dump_scene(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const SceneShape& shape = scene.shapes[i];
-    text += fmt::format("shape {} {} transform {} lights {} receives {} textures {} effects {}{}{}\n", i, shape.name,
-                        shape.transform, indices(shape.lights), received(shape.receives), shape.textures.size(),
-                        indices(shape.effects), shape.shader >= 0 ? fmt::format(" shader {}", shape.shader) : "",
+    text += fmt::format("shape {} {}{} transform {} lights {} receives {} textures {} effects {}{}{}\n", i, shape.name,
+                        kParts[static_cast<std::size_t>(shape.part)], shape.transform, indices(shape.lights),
+                        received(shape.receives), shape.textures.size(), indices(shape.effects),
+                        shape.shader >= 0 ? fmt::format(" shader {}", shape.shader) : "",
                         shape.fog >= 0 ? fmt::format(" fog {}", shape.fog) : "");
   }
   return text;

@@ -70,6 +70,9 @@ int add_clip_plane(SceneContext& context, NodeId plane, int transform);
 /// A Fog or LocalFog where it stands; -1 when its visibilityRange says that there is none.
 int add_fog(SceneContext& context, NodeId fog, int transform);
 
+/// The shapes of the bound Background: its gradients and pictures.
+void add_backdrop(SceneContext& context, NodeId background, int transform);
+
 /// A viewpoint where it stands.
 SceneViewpoint read_viewpoint(SceneContext& context, NodeId viewpoint, int transform);
 

@@ -22,6 +22,9 @@ void begin_color_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
 void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size, float scale, float bias,
                       bool reversed);
 
+/// While it is on, whatever is drawn lies as far away as can be: nothing is behind it.
+void set_far_away(const Functions& gl, bool on);
+
 /// Every texel is written, and nothing tested. Binds the framebuffer; draw_whole() draws.
 void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size);
 

@@ -95,6 +95,7 @@ inline PackedSceneT sample_scene() {
   scene.slot_names.back()->dynamic = true;
   scene.transforms = {{-1, kSampleColor, kSampleRotation, kNoSlot, kNoSlot, kNoSlot, kNoSlot, 0},
                       {0, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kSampleScalar, 2}};
+  scene.lod_levels = {{1, kSampleColor, 0, 2.5}};
   scene.lights.push_back(std::make_unique<PackedLightT>());
   scene.lights.back()->name = "Lamp";
   scene.lights.back()->kind = PackedLightKind::spot;
@@ -109,6 +110,7 @@ inline PackedSceneT sample_scene() {
   scene.viewpoints.back()->name = "Front";
   scene.viewpoints.back()->description = "from the front";
   scene.viewpoints.back()->field_of_view = kSampleScalar;
+  scene.bound_viewpoint = -1;
   return scene;
 }
 

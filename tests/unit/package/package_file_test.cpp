@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -228,6 +231,31 @@ TEST(PackageFile, ChecksThatParentsComeBeforeChildren) {
             "scene 0, transform 1: its parent 1 does not come before it");
   EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->transforms[0] = child_of(-2); }),
             "scene 0, transform 0: its parent -2 does not come before it");
+}
+
+TEST(PackageFile, ChecksLevelsOfDetail) {
+  const auto after = [](const PackedLodLevel& level) {
+    return error_after([&](PackageT& p) { p.scenes[0]->lod_levels = {level}; });
+  };
+  const std::string place = "scene 0, level of detail 0: ";
+  EXPECT_EQ(after({0, 0, 1, std::numeric_limits<double>::infinity()}), "");
+  EXPECT_EQ(after({2, 0, 0, 1}), place + "transform 2 does not exist, there are 2");
+  EXPECT_EQ(after({0, kNoSlot, 0, 1}), place + "center is slot 4294967295, which does not exist");
+  EXPECT_EQ(after({0, kSampleScalar, 0, 1}), place + "center is slot 1, which has 1 numbers, not 3");
+  EXPECT_EQ(after({0, 0, 2, 1}), place + "2 to 1 is no range");
+  EXPECT_EQ(after({0, 0, -1, 1}), place + "-1 to 1 is no range");
+  EXPECT_EQ(after({0, 0, 0, std::nan("")}), place + "0 to nan is no range");
+}
+
+TEST(PackageFile, ChecksTheBoundViewpointAndLayers) {
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->bound_viewpoint = -1; }), "");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->bound_viewpoint = 1; }),
+            "scene 0: its bound viewpoint 1 does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->bound_viewpoint = -2; }),
+            "scene 0: its bound viewpoint -2 does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shapes[0]->layer = PackedLayer::backdrop; }), "");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shapes[0]->layer = PackedLayer{9}; }),
+            "scene 0, shape 0: its layer is unknown");
 }
 
 TEST(PackageFile, ChecksLightsAndShadowMaps) {

@@ -67,6 +67,71 @@ TEST(World, HidesWhatASwitchDoesNotChoose) {
   EXPECT_TRUE(world.at(3).visible);
 }
 
+/// Three levels: nearer than 2, nearer than 5, beyond.
+SceneBuilder three_levels(std::int32_t parent_scale) {
+  SceneBuilder builder;
+  const double scale = parent_scale;
+  builder.transform(-1, builder.vec3(0, 0, 10), kNoSlot, builder.vec3(scale, scale, scale));
+  const std::uint32_t center = builder.vec3(1, 0, 0);
+  const double ranges[] = {0, 2, 5, std::numeric_limits<double>::infinity()};
+  for (std::uint32_t level = 0; level < 3; ++level) {
+    builder.transform(0, kNoSlot);
+    builder.scene().lod_levels.emplace_back(level + 1, center, ranges[level], ranges[level + 1]);
+  }
+  return builder;
+}
+
+/// The only level that is shown; -1 for none, -2 for several.
+int level_seen_from(const SceneBuilder& builder, const Viewer* viewer) {
+  const LoadedPackage loaded = builder.pack();
+  const PackedScene& scene = *loaded.package->scenes()->Get(0);
+  const World world = plugc::place(*loaded.package, scene, Slots(scene), viewer);
+  int shown = -1;
+  for (int level = 0; level < 3; ++level) {
+    if (world.at(level + 1).visible) shown = shown == -1 ? level : -2;
+  }
+  return shown;
+}
+
+TEST(World, ChoosesALevelByTheDistanceOfTheEyeFromTheCenter) {
+  const auto level_at = [](double x) {
+    const Viewer viewer{{x, 0, 10}, {0, 1, 0}};
+    return level_seen_from(three_levels(1), &viewer);
+  };
+  EXPECT_EQ(level_at(1), 0);
+  EXPECT_EQ(level_at(2.999), 0);
+  EXPECT_EQ(level_at(3), 1);
+  EXPECT_EQ(level_at(-3.999), 1);
+  EXPECT_EQ(level_at(6), 2);
+  EXPECT_EQ(level_at(1e9), 2);
+}
+
+TEST(World, MeasuresTheDistanceOfALevelInItsOwnSpace) {
+  const Viewer viewer{{3 * (1 + 4.9), 0, 10}, {0, 1, 0}};
+  EXPECT_EQ(level_seen_from(three_levels(3), &viewer), 1);
+}
+
+TEST(World, ShowsTheNearestLevelWhereThereIsNoDistance) {
+  const Viewer viewer{{100, 0, 0}, {0, 1, 0}};
+  const Viewer nowhere{{std::nan(""), 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(level_seen_from(three_levels(1), nullptr), 0);
+  EXPECT_EQ(level_seen_from(three_levels(0), &viewer), 0) << "all of its space is one point";
+  EXPECT_EQ(level_seen_from(three_levels(1), &nowhere), 0);
+}
+
+TEST(World, TheBackdropHasNoBounds) {
+  SceneBuilder builder;
+  const std::uint32_t flat = builder.flat_program();
+  builder.flat_shape(builder.square(1), flat, {1, 1, 1, 1});
+  const std::int32_t hidden = builder.switch_child(-1, builder.slot(PackedValueType::int_, {-1}), 0);
+  builder.flat_shape(builder.square(9), flat, {1, 1, 1, 1}, hidden);
+  builder.shape(1).layer = PackedLayer::backdrop;
+  const World world = place(builder.pack());
+  EXPECT_TRUE(world.shape_visible[1]) << "a background that is bound shows wherever it stands";
+  EXPECT_TRUE(world.shape_bounds[1].empty());
+  expect_near(world.bounds.max, {1, 1, 0});
+}
+
 TEST(World, BoundsFollowTransformsAndSkipTheHidden) {
   SceneBuilder builder;
   const std::uint32_t square = builder.square(1);
@@ -108,6 +173,20 @@ TEST(Camera, ShowsTheWholeSceneWithoutAViewpoint) {
   const View view = camera_of(builder.pack(), "", messages);
   expect_near(glm::dvec3(view.eye_to_world[3]), {2, 1, 6 + 2 * (4 + 2 + 6) / 3.0});
   expect_near(glm::dvec3(view.eye_to_world[2]), {0, 0, 1});
+}
+
+TEST(Camera, LooksThroughTheBoundViewpointUnlessAnotherIsNamed) {
+  SceneBuilder builder;
+  builder.orthographic_view(1, 5);
+  builder.orthographic_view(1, 7);
+  builder.scene().bound_viewpoint = 1;
+  Messages messages;
+  EXPECT_EQ(camera_of(builder.pack(), "", messages).eye_to_world[3].z, 7);
+  EXPECT_EQ(camera_of(builder.pack(), "0", messages).eye_to_world[3].z, 5);
+  EXPECT_EQ(camera_of(builder.pack(), "Nowhere", messages).eye_to_world[3].z, 7);
+  builder.scene().bound_viewpoint = -1;
+  EXPECT_EQ(camera_of(builder.pack(), "", messages).eye_to_world[3].z, 10) << "the view of the whole, which is nothing here";
+  EXPECT_EQ(camera_of(builder.pack(), "1", messages).eye_to_world[3].z, 7);
 }
 
 TEST(Camera, StandsAtTenWhenThereIsNothing) {
@@ -156,7 +235,7 @@ TEST(Camera, FindsViewpointsByNameThenByIndex) {
   EXPECT_TRUE(messages.list().empty());
   EXPECT_NEAR(camera_of(loaded, "2", messages).eye_to_world[3].z, 3, 1e-12);
   ASSERT_EQ(messages.list().size(), 1U);
-  EXPECT_EQ(messages.list()[0], "no viewpoint `2`: the first one is shown; give a DEF name or an index below 2");
+  EXPECT_EQ(messages.list()[0], "no viewpoint `2`: the bound one is shown; give a DEF name or an index below 2");
 }
 
 TEST(World, SeesWhetherABoxIsBesideTheView) {

@@ -1,0 +1,119 @@
+// The bound Background (X3D 4.1, clause 24). One colour alone is what the picture is cleared with. Anything more becomes shapes
+// around the eye: the gradients, and over them each side of the cube that has a picture. They are drawn as any other shape is,
+// by programs that other unlit shapes may share.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "scene/scene_context.h"
+
+namespace plugc {
+namespace {
+
+struct Side {
+  ScenePart part;
+  std::string_view url, texture;  // the fields of a Background and of a TextureBackground
+};
+
+constexpr std::array<Side, 6> kSides = {{{ScenePart::back, "backUrl", "backTexture"},
+                                         {ScenePart::bottom, "bottomUrl", "bottomTexture"},
+                                         {ScenePart::front, "frontUrl", "frontTexture"},
+                                         {ScenePart::left, "leftUrl", "leftTexture"},
+                                         {ScenePart::right, "rightUrl", "rightTexture"},
+                                         {ScenePart::top, "topUrl", "topTexture"}}};
+
+/// The first colour fills the whole sphere where no angle says how far it goes.
+bool has_gradient(const NodeGraph& graph, NodeId background) {
+  const auto is_divided = [&](std::string_view colors, std::string_view angles) {
+    return !graph.field(background, angles).numbers.empty() && !graph.field(background, colors).numbers.empty();
+  };
+  return is_divided("skyColor", "skyAngle") || is_divided("groundColor", "groundAngle");
+}
+
+/// A gradient is a mesh. (One colour alone is a slot, which events do reach.)
+void report_events_to_gradient(const SceneContext& context, NodeId background) {
+  constexpr std::string_view kFields[] = {"skyColor", "skyAngle", "groundColor", "groundAngle"};
+  for (const GraphRoute& route : context.graph.routes()) {
+    if (route.to != background || std::ranges::find(kFields, route.to_field) == std::end(kFields)) continue;
+    context.diagnostics.report(DiagnosticId::event_ignored, route.span,
+                               fmt::format("events to `{}.{}` are not followed where there is a gradient: it keeps its first "
+                                           "colours",
+                                           context.graph[background].info->name, route.to_field));
+  }
+}
+
+SceneShape backdrop_shape(const SceneContext& context, NodeId background, int transform, ScenePart part) {
+  SceneShape shape;
+  shape.name = node_label(context.graph, background);
+  shape.node = background;
+  shape.geometry = background;
+  shape.transform = transform;
+  shape.casts_shadow = false;
+  shape.part = part;
+  return shape;
+}
+
+int add_picture(SceneContext& context, NodeId background, std::string_view url_field) {
+  SceneTexture texture;
+  texture.node = background;
+  texture.url_field = url_field;
+  texture.wrap_s = texture.wrap_t = Wrap::clamp_to_edge;
+  context.scene.textures.push_back(std::move(texture));
+  return static_cast<int>(context.scene.textures.size() - 1);
+}
+
+/// The same texture, but filtering at an edge of the cube does not reach over to the opposite edge.
+int without_repeat(SceneContext& context, int texture) {
+  SceneTexture copy = context.scene.textures[static_cast<std::size_t>(texture)];
+  if (copy.kind != TextureKind::image_2d) return texture;
+  copy.wrap_s = copy.wrap_t = Wrap::clamp_to_edge;
+  context.scene.textures.push_back(std::move(copy));
+  return static_cast<int>(context.scene.textures.size() - 1);
+}
+
+void read_side_textures(SceneContext& context, const Side& side, SceneShape& shape) {
+  const NodeGraph& graph = context.graph;
+  if (graph.is(shape.node, "TextureBackground")) {
+    read_textures(context, graph.child(shape.node, side.texture), NodeId(), shape);
+    for (TextureUse& use : shape.textures) use.texture = without_repeat(context, use.texture);
+  } else if (!graph.field(shape.node, side.url).strings.empty()) {
+    TextureUse use;
+    use.texture = add_picture(context, shape.node, side.url);
+    shape.textures.push_back(use);
+  }
+}
+
+/// The engine whose extension they are gives a Background's effects and shaders to its pictures alone.
+void read_side_shaders(SceneContext& context, SceneShape& shape) {
+  shape.effects = effect_list(context, shape.node);
+  for (const NodeId shader : context.graph.children(shape.node, "shaders")) {
+    shape.shader = shader_index(context, shader);
+    if (shape.shader >= 0) break;
+  }
+}
+
+}  // namespace
+
+void add_backdrop(SceneContext& context, NodeId background, int transform) {
+  Scene& scene = context.scene;
+  if (has_gradient(context.graph, background)) {
+    report_events_to_gradient(context, background);
+    scene.shapes.push_back(backdrop_shape(context, background, transform, ScenePart::gradient));
+  }
+  for (const Side& side : kSides) {
+    SceneShape shape = backdrop_shape(context, background, transform, side.part);
+    read_side_textures(context, side, shape);
+    if (shape.textures.empty()) continue;
+    read_texture_coordinates(context, shape);
+    read_side_shaders(context, shape);
+    scene.shapes.push_back(std::move(shape));
+  }
+}
+
+bool has_world_shapes(const Scene& scene) {
+  return std::ranges::any_of(scene.shapes, [](const SceneShape& shape) { return shape.part == ScenePart::world; });
+}
+
+}  // namespace plugc
