@@ -258,12 +258,8 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   drop_missing_textures(parts.scene, parts.images);
   // from here textures have their final numbers, which those of texture coordinates follow
   prepare_meshes(graph, parts, meshes, diagnostics);
-<<<<<<< ours
   prepare_fill(parts);
-||||||| base
-=======
   prepare_backdrop(graph, parts, diagnostics);
->>>>>>> theirs
   prepare_tangents(parts);
   prepare_effect_code(parts.scene, prepared, diagnostics);
   mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);
