@@ -79,9 +79,9 @@ void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
-void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size) {
+void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei width, GLsizei height) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  gl.Viewport(0, 0, size, size);
+  gl.Viewport(0, 0, width, height);
   set_draw_state(gl, DrawState{});
   gl.Disable(GL_DEPTH_TEST);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
