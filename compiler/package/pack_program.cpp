@@ -10,6 +10,7 @@
 #include "compose/castle_names.h"
 #include "compose/check_fields.h"
 #include "compose/sampler_type.h"
+#include "compose/screen_library.h"
 #include "package/target_variables.h"
 
 namespace plugc {
@@ -43,12 +44,15 @@ std::int32_t pack_number(std::uint32_t number) {
   return number > INT32_MAX ? -1 : static_cast<std::int32_t>(number);
 }
 
-std::unique_ptr<PackedAttributeT> pack_attribute(const ReflectedVariable& variable) {
+/// `over_screen`: what covers the picture has corners and texture coordinates, which go by the reference engine's names, too.
+std::unique_ptr<PackedAttributeT> pack_attribute(const ReflectedVariable& variable, bool over_screen) {
   auto attribute = std::make_unique<PackedAttributeT>();
   attribute->name = variable.name;
   attribute->location = pack_number(variable.location);
   attribute->semantic = PackedSemantic::custom;
-  if (variable.name == "castle_Vertex") attribute->semantic = PackedSemantic::position;
+  if (variable.name == "castle_Vertex" || (over_screen && variable.name == "vertex"))
+    attribute->semantic = PackedSemantic::position;
+  if (over_screen && variable.name == "tex_coord") attribute->semantic = PackedSemantic::tex_coord;
   if (variable.name == "castle_Normal") attribute->semantic = PackedSemantic::normal;
   if (variable.name == "castle_ColorPerVertex") attribute->semantic = PackedSemantic::color;
   if (variable.name == "castle_FogCoord") attribute->semantic = PackedSemantic::fog_coord;
@@ -106,6 +110,16 @@ std::optional<PackedBinding> projector_binding(const Scene& scene, std::uint32_t
   return PackedBinding(index, static_cast<std::uint32_t>(projector), number, 1, PackedSource::viewpoint_projector_matrix);
 }
 
+PackedSource screen_source(ScreenValue value) {
+  switch (value) {
+    case ScreenValue::color: return PackedSource::screen_color;
+    case ScreenValue::depth: return PackedSource::screen_depth;
+    case ScreenValue::width: return PackedSource::screen_width;
+    case ScreenValue::height: break;
+  }
+  return PackedSource::screen_height;
+}
+
 class Binder {
  public:
   Binder(const ValidRecipe& recipe, const BindingContext& context) : recipe_(recipe), c_(context) {
@@ -152,6 +166,7 @@ void Binder::bind_texture(std::uint32_t index, int texture, std::uint32_t elemen
   if (read.shadow_map >= 0 && read.moments)
     return add(index, PackedSource::shadow_moments, static_cast<std::uint32_t>(read.shadow_map), element);
   if (read.shadow_map >= 0) return bind_map(index, read.shadow_map, read.compare, element);
+  if (read.rendered >= 0) return add(index, PackedSource::rendered_texture, static_cast<std::uint32_t>(read.rendered), element);
   const std::uint32_t packed = c_.package_textures[static_cast<std::size_t>(texture)];
   if (packed != kNothing) add(index, PackedSource::texture, packed, element);
 }
@@ -299,7 +314,9 @@ void Binder::bind_switch(std::uint32_t index, const SwitchUniform& one) {
 void Binder::bind_uniform(std::uint32_t index, const UniformOfTargets& uniform) {
   if (uniform.fed.switched != nullptr) return bind_switch(index, *uniform.fed.switched);
   if (uniform.fed.field != nullptr) return bind_field(index, uniform.variable, *uniform.fed.field);
-  if (const auto castle = find_castle_name(uniform.variable.name)) bind_castle(index, *castle);
+  if (const auto castle = find_castle_name(uniform.variable.name)) return bind_castle(index, *castle);
+  if (recipe_.used.screen_pass == ScreenPass::none) return;
+  if (const auto value = find_screen_value(uniform.variable.name)) add(index, screen_source(*value));
 }
 
 std::vector<PackedBinding> Binder::bind() {
@@ -379,7 +396,9 @@ std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::str
   for (const TargetProgram& target : recipe.targets) packed->targets.push_back(pack_target(target.program, sources));
   const TargetProgram& first = recipe.targets.front();
   for (const UniformOfTargets& uniform : all_uniforms(recipe)) packed->uniforms.push_back(pack_uniform(uniform));
-  for (const ReflectedVariable& variable : all_attributes(recipe)) packed->attributes.push_back(pack_attribute(variable));
+  const bool over_screen = recipe.used.screen_pass != ScreenPass::none;
+  for (const ReflectedVariable& variable : all_attributes(recipe))
+    packed->attributes.push_back(pack_attribute(variable, over_screen));
   packed->plugs_filled = first.composed.plugs_filled;
   packed->plugs_empty = first.composed.plugs_empty;
   return packed;

@@ -121,7 +121,7 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          check.each(
              &place, "projector", *packed.projectors(),
              [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
-         scene.slot(place, "background color", packed.background_color(), 3);
+         check_offscreen(scene, place) && scene.slot(place, "background color", packed.background_color(), 3);
 }
 
 }  // namespace plugc

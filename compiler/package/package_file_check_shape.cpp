@@ -165,6 +165,9 @@ bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place
   if (!is_enumerator(shape.blend_source()) || !is_enumerator(shape.blend_destination())) {
     return check.fail(place, "its blend factor is unknown");
   }
+  const auto* textures = scene.scene.rendered_textures();
+  if (!is_index_or_none(shape.own_scene_of(), textures == nullptr ? 0 : textures->size()))
+    return check.fail(place, fmt::format("rendered texture {} does not exist", shape.own_scene_of()));
   return scene.transform(place, shape.transform()) &&
          check.require_index(place, "mesh", shape.mesh(), check.package.meshes()->size()) &&
          check_programs(scene, shape_programs(shape, 0), place) && check_states(scene, shape, place) &&

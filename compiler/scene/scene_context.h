@@ -3,6 +3,7 @@
 // scene_appearance.cpp and scene_textures.cpp turn single nodes into plain data.
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "scene/scene.h"
@@ -30,6 +31,8 @@ struct SceneContext {
   std::vector<DynamicField> dynamic;
   SlotTable slots;
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
+  std::set<NodeId> screen_effects;                                                              ///< That were met.
+  std::map<NodeId, int> own_viewpoints;               ///< Transforms of those in the scenes of rendered textures.
   std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };
 
@@ -61,6 +64,17 @@ void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape
 
 /// A Fog or LocalFog where it stands; -1 when its visibilityRange says that there is none.
 int add_fog(SceneContext& context, NodeId fog, int transform);
+
+/// What a RenderedTexture or GeneratedCubeMapTexture draws, into context.scene.rendered_textures; -1 for another node.
+int rendered_texture_index(SceneContext& context, NodeId texture);
+
+/// Takes what a rendered texture's own scene is seen through: the first Viewpoint and Background there. False for another node.
+bool bind_in_own_scene(SceneContext& context, NodeId node, int transform, int texture);
+/// Puts the textures of a texture's own scene before it.
+void sort_rendered_textures(SceneContext& context);
+
+/// A ScreenEffect where it stands, unless it is off for good or has no shader (reported).
+void add_screen_effect(SceneContext& context, NodeId effect, int transform);
 
 /// A viewpoint where it stands.
 SceneViewpoint read_viewpoint(SceneContext& context, NodeId viewpoint, int transform);
