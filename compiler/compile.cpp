@@ -91,7 +91,8 @@ LoadedScene load_scene(const std::filesystem::path& path, const CompileOptions& 
   if (!source) return {};
   LoadedScene loaded = load_scene(*source, path, "", options, files, sources, diagnostics);
   loaded.source = *source;
-  const bool needs_stage = !has_world_shapes(loaded.scene) && !loaded.scene.effects.empty() && !options.stage.empty();
+  const bool has_effects = !loaded.scene.effects.empty() || !loaded.scene.screen_effects.empty();
+  const bool needs_stage = !has_world_shapes(loaded.scene) && has_effects && !options.stage.empty();
   return needs_stage ? load_scene(*source, path, options.stage, options, files, sources, diagnostics) : std::move(loaded);
 }
 
@@ -153,6 +154,13 @@ std::vector<SceneParts> compile_library_file(SourceId source, const std::filesys
   return parts;
 }
 
+/// Screen effects beside the effects of a library: nothing of a library is drawn as a whole.
+void report_left_out(const NodeGraph& graph, const std::vector<SceneScreenEffect>& effects, Diagnostics& diagnostics) {
+  for (const SceneScreenEffect& effect : effects)
+    diagnostics.report(DiagnosticId::not_drawn, graph[effect.node].type_span,
+                       "a `ScreenEffect` among the effects of a library is left out; give it a file of its own");
+}
+
 /// One scene, or one for each effect of a library.
 std::vector<SceneParts> compile_file(const std::filesystem::path& path, const CompileOptions& options, Validator& validator,
                                      SourceSet& sources, Diagnostics& diagnostics, Compilation& compilation) {
@@ -163,6 +171,7 @@ std::vector<SceneParts> compile_file(const std::filesystem::path& path, const Co
   timer.reset();
   std::vector<SceneParts> parts;
   const bool is_library = loaded.source.valid() && !has_world_shapes(loaded.scene) && !library_effects(loaded.graph).empty();
+  if (options.library && is_library) report_left_out(loaded.graph, loaded.scene.screen_effects, diagnostics);
   if (options.library && is_library)
     parts = compile_library_file(loaded.source, path, options, files, validator, sources, diagnostics, statistics);
   else

@@ -220,6 +220,11 @@ void plan_maps(SceneParts& parts, RecipeList& recipes) {
   }
 }
 
+void plan_screen_effects(SceneParts& parts, RecipeList& recipes) {
+  for (const SceneScreenEffect& effect : parts.scene.screen_effects)
+    parts.screen_programs.push_back(recipes.add(make_screen_recipe(effect), -1));
+}
+
 /// By shape.
 std::vector<AlphaUse> prepare_alpha(SceneParts& parts) {
   std::vector<AlphaUse> alpha;
@@ -243,6 +248,7 @@ void prepare_recipes(PreparedScene& prepared, const std::vector<AlphaUse>& alpha
                   casts_shadow(parts, i) ? passes : DepthPasses(), prepared, recipes, plan);
   }
   plan_maps(parts, recipes);
+  plan_screen_effects(parts, recipes);
 }
 
 }  // namespace

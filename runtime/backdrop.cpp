@@ -42,6 +42,7 @@ std::uint32_t draw_backdrop(const gl::Functions& gl, LoadedScene& scene, Pass& p
   const View view = backdrop_view(pass.view);
   Pass around{view, false, pass.shadows, pass.shadow_views, {}};
   around.bound_viewpoint = pass.bound_viewpoint;
+  around.target_size = pass.target_size;
   std::uint32_t drawn = 0;
   gl::set_far_away(gl, true);
   for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {

@@ -1,20 +1,13 @@
 #pragma once
-// THE FRAME: shadow passes, then the colour pass, into a target of the caller's.
+// THE FRAME: the textures that the scene draws for itself, the picture with its shadow maps, then the screen effects, into a
+// target of the caller's.
 
-#include "runtime/loaded_scene.h"
-#include "runtime/render.h"
+#include "runtime/frame.h"
 
 namespace plugc {
 
-/// Has depth, and colour in any format.
-struct FrameTarget {
-  const gl::Framebuffer& framebuffer;
-  GLsizei width = 0;
-  GLsizei height = 0;
-};
-
-/// Draws what is out of date of the scene's maps, then the picture. `width`, `height` and `samples` of the options are the
-/// target's.
+/// Draws what is out of date of the scene's textures and maps, then the picture. `width`, `height` and `samples` of the options
+/// are the target's.
 FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const FrameOptions& options,
                            Messages& messages);
 

@@ -64,11 +64,31 @@ bool is_of_moments(PackedSource source) {
          source == PackedSource::shadow_unblurred;
 }
 
+/// White before it has been drawn, and while it is: nobody may read what he draws into.
+BoundTexture rendered_texture(LoadedScene& scene, const PackedBinding& binding, PackedUniformType type) {
+  const RenderedTexture& made = scene.rendered_textures[binding.a()];
+  const bool cube = scene.packed->rendered_textures()->Get(binding.a())->kind() == PackedRenderedKind::cube;
+  const bool fits = type == (cube ? PackedUniformType::samplerCube : PackedUniformType::sampler2D);
+  if (fits && made.drawn && !made.being_drawn) return {made.texture.id()};
+  return {scene.resources.stand_in(type).id()};
+}
+
+/// The picture so far, or its depths, which only an effect that asks for them sees.
+BoundTexture screen_texture(LoadedScene& scene, PackedSource source, PackedUniformType type) {
+  const ScreenTargets& screen = scene.screen;
+  const gl::Texture& texture = source == PackedSource::screen_depth ? screen.depth : screen.colors[screen.shown];
+  if (texture && type == PackedUniformType::sampler2D) return {texture.id()};
+  return {scene.resources.stand_in(type).id()};
+}
+
 BoundTexture find_texture(LoadedScene& scene, const Pass& pass, const PackedBinding& binding, PackedUniformType type,
                           Messages& messages) {
   const bool of_map = binding.source() == PackedSource::shadow_map || binding.source() == PackedSource::shadow_map_greater;
   if (of_map) return shadow_texture(scene, pass, binding, type);
   if (is_of_moments(binding.source())) return moments_texture(scene, pass, binding, type);
+  if (binding.source() == PackedSource::rendered_texture) return rendered_texture(scene, binding, type);
+  if (binding.source() == PackedSource::screen_color || binding.source() == PackedSource::screen_depth)
+    return screen_texture(scene, binding.source(), type);
   if (binding.source() == PackedSource::texture && !compares(type)) {
     return {scene.resources.texture(binding.a(), type, messages).id()};
   }
@@ -142,6 +162,18 @@ const gl::VertexArray* vertex_array_of(const gl::Functions& functions, LoadedSce
   return &coords.vertex_array;
 }
 
+UniformInputs uniform_inputs(const LoadedScene& scene, const Pass& pass, const glm::dmat4& object_to_world) {
+  UniformInputs inputs{*scene.packed, scene.slots, scene.world, pass.view, pass.shadow_views};
+  if (pass.depth_only) inputs.depth_pass_view = &pass.view;
+  inputs.object_to_world = object_to_world;
+  inputs.depth_range = pass.depth_range;
+  inputs.bound_viewpoint = pass.bound_viewpoint;
+  inputs.screen_size = {scene.screen.width, scene.screen.height};
+  inputs.wearer = pass.wearer;
+  inputs.target_size = pass.target_size;
+  return inputs;
+}
+
 const Bindings& bindings_in(const ShapePrograms& use, const Pass& pass) {
   return pass.depth_only ? depth_bindings(use, pass.of_point_light) : *use.bindings;
 }
@@ -174,10 +206,7 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   gl::use_program(functions, program.program);
   const glm::dmat4& placed = scene.world.at(shape.transform()).matrix;
   const glm::dmat4 object_to_world = shape.layer() == PackedLayer::backdrop ? rotation_of(placed) : placed;
-  const UniformInputs inputs{*scene.packed,   scene.slots,       scene.world,
-                             pass.view,       pass.shadow_views, pass.depth_only ? &pass.view : nullptr,
-                             object_to_world, pass.depth_range,  pass.bound_viewpoint,
-                             pass.target_size};
+  const UniformInputs inputs = uniform_inputs(scene, pass, object_to_world);
   apply_bindings(functions, scene, pass, program, bindings_in(use, pass), inputs, messages);
   if (!pass.depth_only) gl::set_draw_state(functions, draw_state_of(shape, scene.slots, object_to_world));
   gl::draw_mesh(functions, mesh, vertex_array_of(functions, scene, pass, index, program_index, inputs));
@@ -185,15 +214,14 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   return true;
 }
 
-bool draw_over_map(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t program_index,
-                   const Bindings& bindings, Messages& messages) {
+bool draw_over_target(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t program_index,
+                      const Bindings& bindings, Messages& messages) {
   const LoadedProgram& program = scene.programs.get(program_index, messages);
   if (!program.program) return false;
   gl::use_program(functions, program.program);
-  const UniformInputs inputs{*scene.packed,     scene.slots, scene.world,    pass.view,
-                             pass.shadow_views, &pass.view,  glm::dmat4(1.0)};
+  const UniformInputs inputs = uniform_inputs(scene, pass, glm::dmat4(1.0));
   apply_bindings(functions, scene, pass, program, bindings, inputs, messages);
-  gl::draw_whole(functions, scene.resources.no_attributes());
+  gl::draw_whole(functions, scene.resources.whole_target());
   pass.programs.insert(program_index);
   return true;
 }

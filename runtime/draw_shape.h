@@ -21,11 +21,13 @@ struct Pass {
   glm::dvec4 depth_range{0};          ///< Of such a pass: PackedSource::depth_pass_range.
   std::int32_t bound_viewpoint = -1;  ///< Through which `view` looks; -1: through none of the scene's.
   glm::dvec2 target_size{1};          ///< Width and height of what is drawn into, in pixels.
+  const View* wearer = nullptr;       ///< Who wears the headlight; null: `view`.
 };
 
-/// Draws over the whole target that is bound, with a program of map `map`. False when the driver rejected the program.
-bool draw_over_map(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t program,
-                   const flatbuffers::Vector<const PackedBinding*>& bindings, Messages& messages);
+/// Draws over the whole target that is bound, with a program of its own: over a shadow map in a depth pass, over the picture in
+/// another. False when the driver rejected the program.
+bool draw_over_target(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t program,
+                      const flatbuffers::Vector<const PackedBinding*>& bindings, Messages& messages);
 
 /// False when nothing was drawn: the driver rejected the program, or the mesh is empty.
 bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::uint32_t shape, Messages& messages);

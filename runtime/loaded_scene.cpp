@@ -20,6 +20,8 @@ void upload(LoadedScene& scene, Messages& messages) {
       if (program >= 0) scene.programs.get(static_cast<std::uint32_t>(program), messages);
     }
   }
+  if (scene.packed->screen_effects() == nullptr) return;
+  for (const PackedScreenEffect* effect : *scene.packed->screen_effects()) scene.programs.get(effect->program(), messages);
 }
 
 }  // namespace
@@ -33,6 +35,7 @@ LoadedScene load_scene(const gl::Functions& functions, const Package& package, c
                     ProgramPool(functions, package),
                     ResourcePool(functions, package),
                     make_shadow_maps(functions, packed, messages)};
+  scene.rendered_textures = make_rendered_textures(functions, packed, messages);
   upload(scene, messages);
   return scene;
 }

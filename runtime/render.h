@@ -34,6 +34,8 @@ struct FrameStatistics {
   std::uint32_t shadow_draw_calls = 0;
   std::uint32_t shadow_filter_passes = 0;  ///< Over all texels of a map.
   std::uint32_t programs_used = 0;
+  std::uint32_t rendered_views = 0;  ///< Of rendered textures; a cube has six.
+  std::uint32_t screen_passes = 0;   ///< Of screen effects.
 };
 
 /// How the context is tuned. Must be decided before the first Renderer of a process.

@@ -54,9 +54,9 @@ const gl::Sampler& ResourcePool::depth_texel_sampler() {
   return depth_texel_sampler_;
 }
 
-const gl::VertexArray& ResourcePool::no_attributes() {
-  if (!no_attributes_) no_attributes_ = gl::generate<gl::VertexArray>(*gl_, gl_->GenVertexArrays);
-  return no_attributes_;
+const gl::WholeTarget& ResourcePool::whole_target() {
+  if (!whole_target_.vertex_array) whole_target_ = gl::make_whole_target(*gl_);
+  return whole_target_;
 }
 
 const gl::Sampler& ResourcePool::greater_sampler() {

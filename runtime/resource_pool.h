@@ -28,7 +28,7 @@ class ResourcePool {
   const gl::Texture& stand_in(PackedUniformType sampler, bool reversed = false);
   const gl::Sampler& depth_picture_sampler();
   const gl::Sampler& depth_texel_sampler();
-  const gl::VertexArray& no_attributes();
+  const gl::WholeTarget& whole_target();
   /// Of a map whose texels are lit where they are at most the reference depth.
   const gl::Sampler& greater_sampler();
 
@@ -40,7 +40,7 @@ class ResourcePool {
   std::map<std::pair<std::uint32_t, GLenum>, gl::Texture> textures_;  ///< One picture can be read as 2D and as 3D.
   std::map<std::pair<PackedUniformType, bool>, gl::Texture> stand_ins_;
   gl::Sampler depth_picture_sampler_, depth_texel_sampler_, greater_sampler_;
-  gl::VertexArray no_attributes_;
+  gl::WholeTarget whole_target_;
 };
 
 }  // namespace plugc

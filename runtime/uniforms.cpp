@@ -44,8 +44,10 @@ struct EyeLight {
 
 EyeLight eye_light(std::uint32_t index, const UniformInputs& inputs) {
   const PackedLight& light = *inputs.scene.lights()->Get(index);
-  const PlacedTransform& placed = inputs.world.at(light.transform());
-  return {light, inputs.slots, light.headlight() ? glm::dmat4(1.0) : inputs.view.world_to_eye * placed.matrix,
+  const bool on_eye = light.headlight() && inputs.wearer == nullptr;
+  const glm::dmat4& to_world =
+      light.headlight() && !on_eye ? inputs.wearer->eye_to_world : inputs.world.at(light.transform()).matrix;
+  return {light, inputs.slots, on_eye ? glm::dmat4(1.0) : inputs.view.world_to_eye * to_world,
           light_shines(light, inputs.slots, inputs.world)};
 }
 
@@ -190,6 +192,8 @@ Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, co
     case PackedSource::color_and_transparency:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
     case PackedSource::depth_pass_range: return numbers(inputs.depth_range);
+    case PackedSource::screen_width: return {static_cast<double>(inputs.screen_size.x)};
+    case PackedSource::screen_height: return {static_cast<double>(inputs.screen_size.y)};
     case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
     case PackedSource::clip_plane: return numbers(eye_clip_plane(*inputs.scene.clip_planes()->Get(binding.a()), inputs));
     case PackedSource::target_size: return {inputs.target_size.x, inputs.target_size.y};

@@ -21,6 +21,8 @@ struct UniformInputs {
   glm::dvec4 depth_range{0};          ///< PackedSource::depth_pass_range.
   std::int32_t bound_viewpoint = -1;  ///< Through which `view` looks; -1: it is none of the scene's.
   glm::dvec2 target_size{1};          ///< PackedSource::target_size.
+  glm::ivec2 screen_size{0};          ///< Of the picture that a screen effect changes.
+  const View* wearer = nullptr;       ///< Who wears the headlight; null: `view`.
 };
 
 /// The binding's value as `count` elements of `type`, finite floats. Vectors are cut or filled with zeros to fit.

@@ -117,7 +117,7 @@ bool update_shadow_map(LoadedScene& scene, std::uint32_t index, const View& came
   const bool drawn = map.drawn_revision != 0;
   const bool stale = map.fitted_revision != scene.slots.revision() || !same_view(map.fitted_camera, camera);
   if (!drawn || (follows && stale)) {
-    fit(scene, index, follows ? &camera : nullptr, messages);
+    fit(scene, index, follows && !camera.all_around ? &camera : nullptr, messages);
     map.fitted_camera = camera;
   }
   map.in_use = map.fit.needed;

@@ -37,7 +37,7 @@ struct Place {
   const flatbuffers::Vector<const PackedBinding*>* bindings = nullptr;
 };
 
-/// The first shape that has the program in some state.
+/// The first shape that has the program in some state, or the first screen effect.
 Place find_user(const Package& package, std::size_t program) {
   for (const PackedScene* scene : *package.scenes()) {
     for (const PackedShape* shape : *scene->shapes()) {
@@ -48,6 +48,9 @@ Place find_user(const Package& package, std::size_t program) {
         if (use.point_depth_program == static_cast<std::int64_t>(program)) return {scene, use.point_depth_bindings};
       }
     }
+    if (scene->screen_effects() == nullptr) continue;
+    for (const PackedScreenEffect* effect : *scene->screen_effects())
+      if (effect->program() == program) return {scene, effect->bindings()};
   }
   return {};
 }

@@ -101,7 +101,7 @@ bool mark_broken(Composition& c) {
     c.mark_faulty(owner);
     const SceneEffect& author = c.author(owner);
     of_shader ? c.diagnostics.report(DiagnosticId::shader_replaced, author.span,
-                                     fmt::format("`{}` is not valid; the base shader is used instead", author.label))
+                                     fmt::format("`{}` is not valid; {}", author.label, without_shader(c.recipe)))
               : c.diagnostics.report(DiagnosticId::effect_left_out, author.span,
                                      fmt::format("effect `{}` is left out: the program is not valid with it", author.label));
   }
@@ -149,6 +149,10 @@ ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target 
     compose_stages(composition);
   }
   return program;
+}
+
+std::string_view without_shader(const Recipe& recipe) {
+  return recipe.screen_pass == ScreenPass::none ? "the base shader is used instead" : "the picture stays as it is without it";
 }
 
 namespace {

@@ -84,6 +84,9 @@ struct ComposedProgram {
 /// with something at fault may have no stages.
 ComposedProgram compose(const Recipe& recipe, const ComposeInput& input, Target target, Diagnostics& diagnostics);
 
+/// What a program is without its ComposedShader, as messages say it.
+std::string_view without_shader(const Recipe& recipe);
+
 /// The recipe without an effect, wherever it stands.
 Recipe without_effect(Recipe recipe, int effect);
 /// The recipe with these effects only.

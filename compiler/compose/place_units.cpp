@@ -11,6 +11,7 @@
 #include "compose/castle_names.h"
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
+#include "compose/screen_library.h"
 #include "compose/shadow_units.h"
 #include "compose/style_features.h"
 #include "compose/texture_features.h"
@@ -34,6 +35,7 @@ class Placer {
   void add_switches();
   std::vector<std::size_t> guards(PlugScope scope, int effect = -1) const;
   void add_template(std::string_view name, ShaderStage stage, const Features& features, PlugScope scope);
+  void place_screen(const Features& features, bool own_vertex_stage);
   void place_base();
   bool place_shader();
   void place_light(int number);
@@ -173,14 +175,31 @@ bool Placer::place_shader() {
   };
   if (!has(&EffectCode::Part::in_fragment)) {
     c_.diagnostics.report(DiagnosticId::shader_without_stage, c_.input.scene.shaders[index].span,
-                          "this `ComposedShader` needs a `FRAGMENT` part; the base shader is used instead");
+                          fmt::format("this `ComposedShader` needs a `FRAGMENT` part; {}", without_shader(recipe_)));
     c_.result.faulty_shader = true;
     return false;
   }
-  if (!has(&EffectCode::Part::in_vertex)) add_template("phong.vert", ShaderStage::vertex, base_features(), {});
+  const bool of_screen = recipe_.screen_pass != ScreenPass::none;
+  const bool own_vertex_stage = has(&EffectCode::Part::in_vertex);
+  if (of_screen)
+    place_screen(screen_features(code, recipe_.screen_pass, c_.target), own_vertex_stage);
+  else if (!own_vertex_stage)
+    add_template("phong.vert", ShaderStage::vertex, base_features(), {});
   c_.owners.push_back({OwnerKind::shader, recipe_.shader, {}, {}});
   place_code(code, c_.owners.size() - 1, {});
   return true;
+}
+
+/// In front of the author's code, which calls functions of the library without declaring them. What an own vertex stage hands
+/// on is its author's to declare.
+void Placer::place_screen(const Features& features, bool own_vertex_stage) {
+  constexpr std::string_view kPosition = "POSITION_01";
+  Features kept;
+  for (const std::string_view feature : features.names())
+    if (feature != kPosition || !own_vertex_stage) kept.insert(feature);
+  add_template("screen_effect.frag", ShaderStage::fragment, kept, {});
+  if (own_vertex_stage) return;
+  add_template("screen_effect.vert", ShaderStage::vertex, kept.contains(kPosition) ? Features{kPosition} : Features{}, {});
 }
 
 void Placer::place_base() {
@@ -188,6 +207,8 @@ void Placer::place_base() {
     add_template("shadows/whole_map.vert", ShaderStage::vertex, {}, {});
     for (const ShadowUnit& unit : map_pass_units(recipe_.map_pass))
       add_template(unit.file, ShaderStage::fragment, unit.features, {});
+  } else if (recipe_.screen_pass != ScreenPass::none) {
+    if (!place_shader()) place_screen({"COLOR", "F_GET_ORIGINAL_COLOR", "PLAIN"}, false);  // what is drawn stays
   } else if (recipe_.depth_only) {
     add_template("depth.vert", ShaderStage::vertex, base_features(), {});
     const bool has_end = recipe_.of_point_light || recipe_.clip_planes > 0;

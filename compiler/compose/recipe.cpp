@@ -328,6 +328,13 @@ Recipe make_depth_recipe(const Recipe& recipe, const std::vector<EffectCode>& co
   return depth;
 }
 
+Recipe make_screen_recipe(const SceneScreenEffect& effect) {
+  Recipe recipe;
+  recipe.screen_pass = effect.needs_depth ? ScreenPass::color_and_depth : ScreenPass::color;
+  recipe.shader = effect.shader;
+  return recipe;
+}
+
 std::array<Recipe, 2> make_map_recipes(ShadowMethod method) {
   Recipe moments, blur;
   moments.map_pass = method == ShadowMethod::vsm    ? MapPass::vsm_moments

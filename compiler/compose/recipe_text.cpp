@@ -28,6 +28,10 @@ void append_base(std::string& text, const Recipe& recipe) {
     text = kPasses[static_cast<std::size_t>(recipe.map_pass)];
     return;
   }
+  if (recipe.screen_pass != ScreenPass::none) {
+    text = recipe.screen_pass == ScreenPass::color ? "screen" : "screen depth";
+    return;
+  }
   text = recipe.depth_pass ? "depth" : recipe.shader >= 0 ? "shader" : recipe.gouraud ? "gouraud" : "phong";
   const Word words[] = {{!recipe.depth_pass && recipe.shader < 0, recipe.lit ? " lit" : " unlit"},
                         {recipe.depth_pass && !recipe.depth_only, " fragments"},

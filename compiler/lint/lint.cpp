@@ -11,7 +11,7 @@ void lint_scene(const Scene& scene, const std::vector<EffectCode>& codes, Diagno
   for (std::size_t i = 0; i < scene.effects.size(); ++i) {
     for (const LintRule rule : kRules) rule({scene.effects[i], codes[i]}, diagnostics);
   }
-  if (scene.effects.empty()) {
+  if (scene.effects.empty() && scene.screen_effects.empty()) {
     diagnostics.report(DiagnosticId::lint_no_effects, {}, "`" + scene.name + "` holds no effects");
   }
 }

@@ -12,6 +12,7 @@
 #include "compose/castle_names.h"
 #include "package/pack_attributes.h"
 #include "package/pack_geometry.h"
+#include "package/pack_offscreen.h"
 #include "package/pack_program.h"
 #include "package/pack_style.h"
 #include "package/pack_transforms.h"
@@ -49,7 +50,8 @@ class Assembler {
 
 std::uint32_t Assembler::add_program(const SceneParts& parts, std::size_t index) {
   const ValidRecipe& recipe = parts.programs[index];
-  if (recipe.targets.empty()) return kNothing;
+  const bool keeps_picture = recipe.used.screen_pass != ScreenPass::none && recipe.used.shader < 0;
+  if (recipe.targets.empty() || keeps_picture) return kNothing;
   const auto [found, added] =
       programs_.try_emplace(program_content(recipe), static_cast<std::uint32_t>(package_.programs.size()));
   if (!added) return found->second;
@@ -350,6 +352,7 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
   pack_variants(parts, index, where, *packed);
   packed->cull_back = plan.mesh->solid;
   packed->front_cw = !plan.mesh->ccw;
+  packed->own_scene_of = shape.own_scene_of;
   packed->wireframe = shape.shading == Shading::wireframe;
   packed->blended = plan.blended;
   packed->blend_source = static_cast<PackedBlendFactor>(shape.blend.source);
@@ -412,6 +415,8 @@ void Assembler::add_scene(SceneParts& parts) {
     packed->shadow_maps.push_back(pack_shadow_map(scene.shadow_maps[i]));
     pack_map_programs(parts, i, {programs, textures}, *packed->shadow_maps.back());
   }
+  pack_rendered_textures(scene, *packed);
+  pack_screen_effects(parts, programs, textures, *packed);
   const auto meshes = add_meshes(parts);
   for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
     const ShapePlan& plan = parts.shapes[i];

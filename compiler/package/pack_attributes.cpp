@@ -16,7 +16,9 @@ namespace {
 constexpr std::uint8_t kNoPlace = 255;
 constexpr int kFirstCoord = 4, kLastCustom = 14;  // places, as runtime/gl/program.h has them
 
-PackedSemantic semantic_of(std::string_view name) {
+PackedSemantic semantic_of(std::string_view name, bool over_screen) {
+  if (over_screen && name == "vertex") return PackedSemantic::position;
+  if (over_screen && name == "tex_coord") return PackedSemantic::tex_coord;
   if (name == "castle_Vertex") return PackedSemantic::position;
   if (name == "castle_Normal") return PackedSemantic::normal;
   if (name == "castle_ColorPerVertex") return PackedSemantic::color;
@@ -57,14 +59,15 @@ std::int32_t pack_number(std::uint32_t number) {
 
 }  // namespace
 
-std::vector<std::unique_ptr<PackedAttributeT>> pack_attributes(const std::vector<ReflectedVariable>& variables) {
+std::vector<std::unique_ptr<PackedAttributeT>> pack_attributes(const std::vector<ReflectedVariable>& variables,
+                                                               bool over_screen) {
   std::vector<std::unique_ptr<PackedAttributeT>> packed;
   Places places;
   for (const ReflectedVariable& variable : variables) {
     auto attribute = std::make_unique<PackedAttributeT>();
     attribute->name = variable.name;
     attribute->location = pack_number(variable.location);
-    attribute->semantic = semantic_of(variable.name);
+    attribute->semantic = semantic_of(variable.name, over_screen);
     if (attribute->semantic == PackedSemantic::tex_coord) {
       attribute->unit = static_cast<std::uint8_t>(std::max(find_castle_name(variable.name).value_or(CastleName{}).number, 0));
       places.take(kFirstCoord + attribute->unit, 1);

@@ -12,6 +12,7 @@
 #include "compose/sampler_type.h"
 #include "package/pack_attributes.h"
 #include "package/pack_style.h"
+#include "compose/screen_library.h"
 #include "package/target_variables.h"
 
 namespace plugc {
@@ -91,6 +92,16 @@ std::optional<PackedBinding> projector_binding(const Scene& scene, std::uint32_t
   return PackedBinding(index, static_cast<std::uint32_t>(projector), number, 1, PackedSource::viewpoint_projector_matrix);
 }
 
+PackedSource screen_source(ScreenValue value) {
+  switch (value) {
+    case ScreenValue::color: return PackedSource::screen_color;
+    case ScreenValue::depth: return PackedSource::screen_depth;
+    case ScreenValue::width: return PackedSource::screen_width;
+    case ScreenValue::height: break;
+  }
+  return PackedSource::screen_height;
+}
+
 class Binder {
  public:
   Binder(const ValidRecipe& recipe, const BindingContext& context) : recipe_(recipe), c_(context) {
@@ -137,6 +148,7 @@ void Binder::bind_texture(std::uint32_t index, int texture, std::uint32_t elemen
   if (read.shadow_map >= 0 && read.moments)
     return add(index, PackedSource::shadow_moments, static_cast<std::uint32_t>(read.shadow_map), element);
   if (read.shadow_map >= 0) return bind_map(index, read.shadow_map, read.compare, element);
+  if (read.rendered >= 0) return add(index, PackedSource::rendered_texture, static_cast<std::uint32_t>(read.rendered), element);
   const std::uint32_t packed = c_.package_textures[static_cast<std::size_t>(texture)];
   if (packed != kNothing) add(index, PackedSource::texture, packed, element);
 }
@@ -286,7 +298,9 @@ void Binder::bind_switch(std::uint32_t index, const SwitchUniform& one) {
 void Binder::bind_uniform(std::uint32_t index, const UniformOfTargets& uniform) {
   if (uniform.fed.switched != nullptr) return bind_switch(index, *uniform.fed.switched);
   if (uniform.fed.field != nullptr) return bind_field(index, uniform.variable, *uniform.fed.field);
-  if (const auto castle = find_castle_name(uniform.variable.name)) bind_castle(index, *castle);
+  if (const auto castle = find_castle_name(uniform.variable.name)) return bind_castle(index, *castle);
+  if (recipe_.used.screen_pass == ScreenPass::none) return;
+  if (const auto value = find_screen_value(uniform.variable.name)) add(index, screen_source(*value));
 }
 
 std::vector<PackedBinding> Binder::bind() {
@@ -366,7 +380,7 @@ std::unique_ptr<PackedProgramT> pack_program(const ValidRecipe& recipe, std::str
   for (const TargetProgram& target : recipe.targets) packed->targets.push_back(pack_target(target.program, sources));
   const TargetProgram& first = recipe.targets.front();
   for (const UniformOfTargets& uniform : all_uniforms(recipe)) packed->uniforms.push_back(pack_uniform(uniform));
-  packed->attributes = pack_attributes(all_attributes(recipe));
+  packed->attributes = pack_attributes(all_attributes(recipe), recipe.used.screen_pass != ScreenPass::none);
   packed->plugs_filled = first.composed.plugs_filled;
   packed->plugs_empty = first.composed.plugs_empty;
   return packed;

@@ -170,6 +170,9 @@ bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place
   if (!is_enumerator(shape.blend_source()) || !is_enumerator(shape.blend_destination())) {
     return check.fail(place, "its blend factor is unknown");
   }
+  const auto* textures = scene.scene.rendered_textures();
+  if (!is_index_or_none(shape.own_scene_of(), textures == nullptr ? 0 : textures->size()))
+    return check.fail(place, fmt::format("rendered texture {} does not exist", shape.own_scene_of()));
   if (!is_enumerator(shape.layer())) return check.fail(place, "its layer is unknown");
   return scene.transform(place, shape.transform()) && scene.slot(place, "line width", shape.line_width(), 1) &&
          scene.slot(place, "alpha cutoff", shape.alpha_cutoff(), 1) &&

@@ -266,12 +266,13 @@ void dump_states(Text& text, const Package& package, const PackedShape& shape) {
 void dump_shape(Text& text, const Package& package, const PackedShape& shape, std::size_t index) {
   line(text, "  shape {} {}: transform {}, mesh {}, program {}", index, quoted(*shape.name()), shape.transform(), shape.mesh(),
        shape.program());
-  line(text, "    {}{}{}{}{}", shape.layer() == PackedLayer::backdrop ? "backdrop, " : "",
+  line(text, "    {}{}{}{}{}{}", shape.layer() == PackedLayer::backdrop ? "backdrop, " : "",
        shape.cull_back() ? "culls backs" : "two-sided", shape.front_cw() ? ", clockwise" : "",
        shape.wireframe() ? ", wireframe" : "",
        shape.bounds_min() != nullptr ? ", bounds written"
        : shape.bounds_known()        ? ""
-                                     : ", bounds unknown");
+                                     : ", bounds unknown",
+       shape.own_scene_of() < 0 ? "" : fmt::format(", in the scene of rendered texture {}", shape.own_scene_of()));
   if (shape.blended()) {
     line(text, "    blends {} {}", EnumNamePackedBlendFactor(shape.blend_source()),
          EnumNamePackedBlendFactor(shape.blend_destination()));
@@ -288,6 +289,24 @@ void dump_viewpoint(Text& text, const char* word, const PackedViewpoint& viewpoi
        viewpoint.transform(), viewpoint.orthographic() ? ", orthographic" : "");
   line(text, "    slots: position {}, orientation {}, field of view {}", slot(viewpoint.position()),
        slot(viewpoint.orientation()), slot(viewpoint.field_of_view()));
+}
+
+void dump_rendered_texture(Text& text, const PackedRenderedTexture& texture, std::size_t index) {
+  line(text, "  rendered texture {}: {} {} x {}, update {}, viewpoint {}{}, background color slot {}", index,
+       EnumNamePackedRenderedKind(texture.kind()), texture.width(), texture.height(),
+       EnumNamePackedShadowUpdate(texture.update()), texture.viewpoint(), texture.own_scene() ? ", own scene" : "",
+       slot(texture.background_color()));
+  line(text, "    wraps {} {}, filters {} {}", EnumNamePackedWrap(texture.wrap_s()), EnumNamePackedWrap(texture.wrap_t()),
+       EnumNamePackedFilter(texture.minification()), EnumNamePackedFilter(texture.magnification()));
+  const auto* slots = texture.rendering_slots();
+  if (slots != nullptr && slots->size() != 0)
+    line(text, "    rendering slots {}", fmt::join(slots->data(), slots->data() + slots->size(), " "));
+}
+
+void dump_screen_effect(Text& text, const Package& package, const PackedScreenEffect& effect, std::size_t index) {
+  line(text, "  screen effect {} {}: program {}, enabled slot {}, transform {}{}", index, quoted(*effect.name()),
+       effect.program(), slot(effect.enabled()), effect.transform(), effect.needs_depth() ? ", needs depth" : "");
+  dump_bindings(text, *effect.bindings(), *package.programs()->Get(effect.program()));
 }
 
 template <typename List, typename Function>
@@ -313,6 +332,12 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
     line(text, "  bound viewpoint {}", scene.bound_viewpoint());
   each(*scene.projectors(),
        [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "projector", viewpoint, i); });
+  if (scene.rendered_textures() != nullptr)
+    each(*scene.rendered_textures(),
+         [&](const PackedRenderedTexture& texture, std::size_t i) { dump_rendered_texture(text, texture, i); });
+  if (scene.screen_effects() != nullptr)
+    each(*scene.screen_effects(),
+         [&](const PackedScreenEffect& effect, std::size_t i) { dump_screen_effect(text, package, effect, i); });
 }
 
 void dump_effect(Text& text, const PackedEffect& effect, std::size_t index) {

@@ -85,15 +85,12 @@ class SceneWalk {
     visit_list(roots);
     add_background();
     if (context_.options.all_branches) add_unreached_effects();
-    add_headlight(context_, navigation_info_);
+    finish_shapes(0);
     context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
     if (!background_.valid())
       context_.scene.background_color = context_.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
-    for (SceneShape& shape : context_.scene.shapes) {
-      if (shape.part != ScenePart::world) continue;
-      add_global_lights(shape);
-      if (shape.fog == kBoundFog) shape.fog = bound_fog_.value_or(-1);
-    }
+    visit_own_scenes();
+    sort_rendered_textures(context_);
     finish_lights(context_, appearances_);
     finish_projections(context_);
     if (alone) place_alone(context_);
@@ -115,7 +112,8 @@ class SceneWalk {
   void visit_viewpoint(NodeId node);
   void bind_if_first(NodeId node);
   void add_background();
-  void add_global_lights(SceneShape& shape);
+  void finish_shapes(std::size_t first);
+  void visit_own_scenes();
   void add_unreached_effects();
   bool within_limits(NodeId node);
   Role role(NodeId node) { return use_of(node).role; }
@@ -131,6 +129,7 @@ class SceneWalk {
   std::optional<int> bound_fog_;
   std::vector<int> global_lights_;
   std::vector<NodeId> appearances_;  // per shape; not valid where it has none
+  int own_scene_of_ = -1;            // the rendered texture whose scene this is; -1: the world
 
   // What the next shape inherits from the groups above it.
   int transform_ = -1;
@@ -343,6 +342,7 @@ void SceneWalk::visit_shape(NodeId node) {
   shape.lights = lights_;
   shape.fog = fog_;
   shape.clip_planes = clip_planes_;
+  shape.own_scene_of = own_scene_of_;
   shape.shading = read_shading(context_, node);
   const glm::dvec3 size = graph_.vec3(node, "bboxSize");
   const glm::dvec3 center = graph_.vec3(node, "bboxCenter");
@@ -357,13 +357,13 @@ void SceneWalk::visit_shape(NodeId node) {
 }
 
 void SceneWalk::visit_other(NodeId node) {
+  if (own_scene_of_ >= 0 && bind_in_own_scene(context_, node, transform_, own_scene_of_)) return;
   if (graph_.is(node, "X3DViewpointNode")) {
     visit_viewpoint(node);
   } else if (graph_.is(node, "ViewpointGroup")) {
     visit_list(graph_.children(node, "children"));
   } else if (graph_.is(node, "ScreenEffect")) {
-    context_.diagnostics.report(DiagnosticId::not_drawn, graph_[node].type_span,
-                                fmt::format("a `{}` is not drawn yet", graph_[node].info->name));
+    add_screen_effect(context_, node, transform_);
   } else {
     bind_if_first(node);
   }
@@ -398,6 +398,10 @@ void SceneWalk::add_background() {
 
 /// Effects that no shape shows (in an unused prototype, say) are tried on a copy of the first shape.
 void SceneWalk::add_unreached_effects() {
+  for (std::uint32_t i = 0; i < graph_.size(); ++i) {
+    const NodeId node{i};
+    if (graph_.is(node, "ScreenEffect") && !context_.screen_effects.contains(node)) add_screen_effect(context_, node, -1);
+  }
   if (!has_world_shapes(context_.scene)) return;
   const SceneShape bare = [&] {
     SceneShape shape = context_.scene.shapes.front();
@@ -417,21 +421,38 @@ void SceneWalk::add_unreached_effects() {
   }
 }
 
-void SceneWalk::add_global_lights(SceneShape& shape) {
-  shape.lights.insert(shape.lights.end(), global_lights_.begin(), global_lights_.end());
-  const auto& lights = context_.scene.lights;
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (lights[i].headlight) shape.lights.push_back(static_cast<int>(i));
+/// Gives the shapes of the scene that ends here, from `first` on, what all of them have.
+void SceneWalk::finish_shapes(std::size_t first) {
+  const std::size_t headlight = context_.scene.lights.size();
+  add_headlight(context_, navigation_info_);
+  if (context_.scene.lights.size() > headlight) global_lights_.push_back(static_cast<int>(headlight));
+  for (std::size_t i = first; i < context_.scene.shapes.size(); ++i) {
+    SceneShape& shape = context_.scene.shapes[i];
+    if (shape.part != ScenePart::world) continue;
+    shape.lights.insert(shape.lights.end(), global_lights_.begin(), global_lights_.end());
+    if (shape.fog == kBoundFog) shape.fog = bound_fog_.value_or(-1);
+  }
+}
+
+/// The scenes that rendered textures have of their own: nothing of the world reaches into them. They may add textures.
+void SceneWalk::visit_own_scenes() {
+  const auto& textures = context_.scene.rendered_textures;
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    if (!textures[i].own_scene) continue;
+    own_scene_of_ = static_cast<int>(i);
+    navigation_info_ = {};
+    bound_fog_.reset();
+    global_lights_.clear();
+    const std::size_t first = context_.scene.shapes.size();
+    const NodeId root = graph_.child(textures[i].node, "scene");
+    visit_list({&root, 1});
+    finish_shapes(first);
   }
 }
 
 /// A host may write what it has announced, even where nothing of the scene reads it.
 void add_dynamic_slots(SceneContext& context) {
-  for (const DynamicField& field : context.dynamic) {
-    const std::span<const InterfaceField> own = context.graph[field.node].interface();
-    const auto declared = std::ranges::find(own, field.name, &InterfaceField::name);
-    declared == own.end() ? context.slots.slot(field.node, field.name) : context.slots.interface_slot(field.node, *declared);
-  }
+  for (const DynamicField& field : context.dynamic) context.slots.declared_slot(field.node, field.name);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace {
 constexpr std::string_view kLightKinds[] = {"directional", "point", "spot"};
 constexpr std::string_view kFogKinds[] = {"none", "linear", "exponential"};
 constexpr std::string_view kParts[] = {"", " gradient", " back", " bottom", " front", " left", " right", " top"};
+constexpr std::string_view kRenderedKinds[] = {"color", "depth", "cube"};
 constexpr std::string_view kPartStages[] = {"VERTEX", "GEOMETRY", "FRAGMENT", "LIGHT"};
 
 std::string numbers(const std::vector<double>& values) {
@@ -80,6 +81,17 @@ std::string dump_scene(const Scene& scene) {
                         received(shape.receives), shape.textures.size(), indices(shape.effects),
                         shape.shader >= 0 ? fmt::format(" shader {}", shape.shader) : "",
                         shape.fog >= 0 ? fmt::format(" fog {}", shape.fog) : "");
+  }
+  for (std::size_t i = 0; i < scene.rendered_textures.size(); ++i) {
+    const SceneRenderedTexture& texture = scene.rendered_textures[i];
+    text += fmt::format("rendered texture {} {} {} x {} viewpoint {}{}\n", i,
+                        kRenderedKinds[static_cast<std::size_t>(texture.kind)], texture.width, texture.height,
+                        texture.viewpoint, texture.own_scene ? " own scene" : "");
+  }
+  for (std::size_t i = 0; i < scene.screen_effects.size(); ++i) {
+    const SceneScreenEffect& effect = scene.screen_effects[i];
+    text += fmt::format("screen effect {} {} shader {} transform {}{}\n", i, effect.label, effect.shader, effect.transform,
+                        effect.needs_depth ? " depth" : "");
   }
   return text;
 }

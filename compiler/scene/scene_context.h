@@ -3,6 +3,7 @@
 // scene_appearance.cpp and scene_textures.cpp turn single nodes into plain data.
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "scene/scene.h"
@@ -31,6 +32,8 @@ struct SceneContext {
   SlotTable slots;
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
   std::map<NodeId, int> back_materials;               ///< Of TwoSidedMaterial: what it says of back faces.
+  std::set<NodeId> screen_effects;                                                              ///< That were met.
+  std::map<NodeId, int> own_viewpoints;               ///< Transforms of those in the scenes of rendered textures.
   std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };
 
@@ -72,6 +75,17 @@ int add_fog(SceneContext& context, NodeId fog, int transform);
 
 /// The shapes of the bound Background: its gradients and pictures.
 void add_backdrop(SceneContext& context, NodeId background, int transform);
+
+/// What a RenderedTexture or GeneratedCubeMapTexture draws, into context.scene.rendered_textures; -1 for another node.
+int rendered_texture_index(SceneContext& context, NodeId texture);
+
+/// Takes what a rendered texture's own scene is seen through: the first Viewpoint and Background there. False for another node.
+bool bind_in_own_scene(SceneContext& context, NodeId node, int transform, int texture);
+/// Puts the textures of a texture's own scene before it.
+void sort_rendered_textures(SceneContext& context);
+
+/// A ScreenEffect where it stands, unless it is off for good or has no shader (reported).
+void add_screen_effect(SceneContext& context, NodeId effect, int transform);
 
 /// A viewpoint where it stands.
 SceneViewpoint read_viewpoint(SceneContext& context, NodeId viewpoint, int transform);

@@ -37,7 +37,9 @@ void finish_projector(SceneContext& context, NodeId node, SceneProjector& projec
   }
   const auto& viewpoints = context.scene.viewpoints;
   const auto standing = std::ranges::find(viewpoints, node, &SceneViewpoint::node);
-  projector.viewpoint = standing == viewpoints.end() ? read_viewpoint(context, node, -1) : *standing;
+  const auto own = context.own_viewpoints.find(node);
+  const int transform = own == context.own_viewpoints.end() ? -1 : own->second;
+  projector.viewpoint = standing == viewpoints.end() ? read_viewpoint(context, node, transform) : *standing;
 }
 
 /// The map that a GeneratedShadowMap node makes; -1 when it is never drawn, which is reported.

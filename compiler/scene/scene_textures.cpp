@@ -21,12 +21,12 @@ struct TextureType {
 };
 
 constexpr TextureType kTextureTypes[] = {
-    {"ImageTexture", TextureKind::image_2d, true, true},          {"PixelTexture", TextureKind::image_2d, true, true},
-    {"ImageTexture3D", TextureKind::image_3d, true, true},        {"PixelTexture3D", TextureKind::image_3d, true, true},
-    {"ComposedTexture3D", TextureKind::image_3d, true, true},     {"ImageCubeMapTexture", TextureKind::cube, true, true},
-    {"ComposedCubeMapTexture", TextureKind::cube, true, true},    {"ShaderTexture", TextureKind::shader, false, true},
-    {"MovieTexture", TextureKind::image_2d, false, false},        {"RenderedTexture", TextureKind::image_2d, false, false},
-    {"GeneratedCubeMapTexture", TextureKind::cube, false, false}, {"GeneratedShadowMap", TextureKind::shadow_2d, false, true},
+    {"ImageTexture", TextureKind::image_2d, true, true},         {"PixelTexture", TextureKind::image_2d, true, true},
+    {"ImageTexture3D", TextureKind::image_3d, true, true},       {"PixelTexture3D", TextureKind::image_3d, true, true},
+    {"ComposedTexture3D", TextureKind::image_3d, true, true},    {"ImageCubeMapTexture", TextureKind::cube, true, true},
+    {"ComposedCubeMapTexture", TextureKind::cube, true, true},   {"ShaderTexture", TextureKind::shader, false, true},
+    {"MovieTexture", TextureKind::image_2d, false, false},       {"RenderedTexture", TextureKind::image_2d, false, true},
+    {"GeneratedCubeMapTexture", TextureKind::cube, false, true}, {"GeneratedShadowMap", TextureKind::shadow_2d, false, true},
 };
 
 const TextureType* find_type(const NodeGraph& graph, NodeId node) {
@@ -99,6 +99,7 @@ SceneTexture read_texture(SceneContext& context, NodeId node, const TextureType&
   read_filters(graph, node, texture);
   texture.default_coord = default_coord(graph, node, type.kind);
   texture.effects = effect_list(context, node);
+  texture.rendered = rendered_texture_index(context, node);
   return texture;
 }
 

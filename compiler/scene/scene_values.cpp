@@ -91,6 +91,12 @@ std::uint32_t SlotTable::interface_slot(NodeId node, const InterfaceField& field
   return add(node, field.name, value);
 }
 
+std::uint32_t SlotTable::declared_slot(NodeId node, std::string_view field) {
+  const std::span<const InterfaceField> own = graph_[node].interface();
+  const auto declared = std::ranges::find(own, field, &InterfaceField::name);
+  return declared == own.end() ? slot(node, field) : interface_slot(node, *declared);
+}
+
 std::uint32_t SlotTable::constant(SlotType type, std::vector<double> values) {
   const auto [found, added] = constants_.try_emplace({type, values}, static_cast<std::uint32_t>(slots_.size()));
   if (added) slots_.push_back({type, 1, std::move(values), "", false, false, kSceneNoSlot});

@@ -24,6 +24,8 @@ class SlotTable {
   std::uint32_t slot_if_used(NodeId node, std::string_view field);
   /// The slot of a node's own interface field; none for types that no uniform takes.
   std::uint32_t interface_slot(NodeId node, const InterfaceField& field);
+  /// The slot of a field, of the node's own interface or of its type.
+  std::uint32_t declared_slot(NodeId node, std::string_view field);
   /// A value that nothing changes; equal ones share a slot.
   std::uint32_t constant(SlotType type, std::vector<double> values);
 

@@ -76,7 +76,7 @@ bool RecipeRepair::replace_shader(ProgramCandidate& candidate) {
   if (candidate.recipe.shader < 0) return false;
   const SceneShader& shader = scene().shaders[static_cast<std::size_t>(candidate.recipe.shader)];
   diagnostics_.report(DiagnosticId::shader_replaced, shader.span,
-                      fmt::format("`{}` is not valid; the base shader is used instead", shader.label));
+                      fmt::format("`{}` is not valid; {}", shader.label, without_shader(candidate.recipe)));
   candidate = checker_.recheck(checker_.without(candidate, {}, true, diagnostics_), candidate.target, diagnostics_);
   return true;
 }

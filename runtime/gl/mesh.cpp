@@ -2,6 +2,10 @@
 
 #include "runtime/gl/mesh.h"
 
+#include <array>
+
+#include "runtime/gl/program.h"
+
 namespace plugc::gl {
 namespace {
 
@@ -74,8 +78,23 @@ Mesh upload_mesh(const Functions& gl, const PackedMesh& packed) {
   return mesh;
 }
 
-void draw_whole(const Functions& gl, const VertexArray& empty) {
-  gl.BindVertexArray(empty.id());
+WholeTarget make_whole_target(const Functions& gl) {
+  constexpr std::array<float, 24> kVertices = {-1, -1, 0, 1, 0, 0, 0, 1,   //
+                                               3,  -1, 0, 1, 2, 0, 0, 1,   //
+                                               -1, 3,  0, 1, 0, 2, 0, 1};  // position, texture coordinate
+  constexpr std::uint32_t kStride = 8 * sizeof(float);
+  WholeTarget whole;
+  whole.vertex_array = generate<VertexArray>(gl, gl.GenVertexArrays);
+  gl.BindVertexArray(whole.vertex_array.id());
+  whole.vertices = upload_buffer(gl, GL_ARRAY_BUFFER, kVertices.data(), sizeof kVertices);
+  point_at_stream(gl, PackedStream(PackedSemantic::position, 0, 4, 0), kStride);
+  point_at_stream(gl, PackedStream(PackedSemantic::tex_coord, 0, 4, kStride / 2), kStride);
+  gl.BindVertexArray(0);
+  return whole;
+}
+
+void draw_whole(const Functions& gl, const WholeTarget& whole) {
+  gl.BindVertexArray(whole.vertex_array.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

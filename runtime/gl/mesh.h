@@ -34,8 +34,14 @@ Buffer make_stream_buffer(const Functions& gl);
 void write_stream(const Functions& gl, const Buffer& buffer, std::span<const float> values);
 
 Mesh upload_mesh(const Functions& gl, const PackedMesh& packed);
-/// Three vertices without attributes: the vertex stage makes of gl_VertexID a triangle over the whole target.
-void draw_whole(const Functions& gl, const VertexArray& empty);
+/// A triangle over a whole target: its corners in clip space, and texture coordinates that run from 0 to 1 over the target.
+/// Most vertex stages ask for neither, and make it of gl_VertexID.
+struct WholeTarget {
+  VertexArray vertex_array;
+  Buffer vertices;
+};
+WholeTarget make_whole_target(const Functions& gl);
+void draw_whole(const Functions& gl, const WholeTarget& whole);
 
 /// With another vertex array of that mesh, where one is given.
 void draw_mesh(const Functions& gl, const Mesh& mesh, const VertexArray* vertex_array = nullptr);

@@ -83,9 +83,9 @@ void set_far_away(const Functions& gl, bool on) {
   gl.DepthRange(on ? 1.0 : 0.0, 1.0);  // unlike switching the depth test off, this needs no other code for the program
 }
 
-void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size) {
+void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei width, GLsizei height) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  gl.Viewport(0, 0, size, size);
+  gl.Viewport(0, 0, width, height);
   set_draw_state(gl, DrawState{});
   gl.Disable(GL_DEPTH_TEST);
   gl.Disable(GL_POLYGON_OFFSET_FILL);

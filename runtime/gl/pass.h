@@ -26,7 +26,7 @@ void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
 void set_far_away(const Functions& gl, bool on);
 
 /// Every texel is written, and nothing tested. Binds the framebuffer; draw_whole() draws.
-void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size);
+void begin_whole_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei width, GLsizei height);
 
 struct DrawState {
   bool blended = false;

@@ -34,6 +34,17 @@ Framebuffer make_depth_target(const Functions& gl, const Texture& texture, GLenu
 /// A framebuffer whose colour is `texture` and that has no depth.
 Framebuffer make_float_target(const Functions& gl, const Texture& texture);
 
+/// Draws into that texture, or that face of a cube, with that depth.
+Framebuffer make_texture_target(const Functions& gl, const Texture& color, GLenum face, const Renderbuffer& depth);
+/// As above, with a texture for its depth; none where `depth` is none.
+Framebuffer make_texture_target(const Functions& gl, const Texture& color, const Texture& depth);
+Renderbuffer make_depth_buffer(const Functions& gl, GLsizei width, GLsizei height);
+bool is_complete(const Functions& gl, const Framebuffer& framebuffer);
+
+/// Copies what is drawn, the average of its samples, into a target of that size; its depth, too, where asked for.
+void copy_target(const Functions& gl, const Framebuffer& from, const Framebuffer& to, GLsizei width, GLsizei height,
+                 bool with_depth);
+
 GLsizei max_target_side(const Functions& gl);
 /// The same of a face of a cube map.
 GLsizei max_cube_map_side(const Functions& gl);

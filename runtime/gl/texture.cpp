@@ -141,6 +141,43 @@ Texture upload_texture(const Functions& gl, const PackedTexture& texture, const 
   return handle;
 }
 
+namespace {
+
+/// A new texture to draw into.
+Texture begin_drawn_texture(const Functions& gl, GLenum target, const TextureSettings& settings) {
+  Texture texture = begin_texture(gl, target);
+  set_filters(gl, target, filter_of(settings.minification), filter_of(settings.magnification));
+  set_wrap(gl, target, wrap_of(settings.wrap_s), wrap_of(settings.wrap_t), GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+}  // namespace
+
+Texture make_color_texture(const Functions& gl, GLenum target, GLsizei width, GLsizei height, const TextureSettings& settings) {
+  Texture texture = begin_drawn_texture(gl, target, settings);
+  const bool cube = target == GL_TEXTURE_CUBE_MAP;
+  for (int face = 0; face < (cube ? kCubeFaces : 1); ++face) {
+    const GLenum image = cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : target;
+    gl.TexImage2D(image, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  }
+  return texture;
+}
+
+Texture make_depth_picture(const Functions& gl, GLsizei width, GLsizei height, const TextureSettings& settings) {
+  Texture texture = begin_drawn_texture(gl, GL_TEXTURE_2D, settings);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_G, GL_RED);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_B, GL_RED);
+  return texture;
+}
+
+void update_mipmaps(const Functions& gl, GLenum target, const Texture& texture, PackedFilter minification) {
+  if (!has_mipmaps(minification)) return;
+  gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kUploadUnit));
+  gl.BindTexture(target, texture.id());
+  gl.GenerateMipmap(target);
+}
+
 Texture make_white_texture(const Functions& gl, GLenum target) {
   Texture texture = begin_texture(gl, target);
   std::array<std::uint8_t, kWhite.size() * kCubeFaces> pixels{};

@@ -18,6 +18,19 @@ GLenum texture_target(PackedUniformType sampler);
 /// No name when the picture does not fit (no pixels, a cube of other than six square slices).
 Texture upload_texture(const Functions& gl, const PackedTexture& texture, const PackedImage& image, PackedUniformType sampler);
 
+/// How a texture is looked up.
+struct TextureSettings {
+  PackedWrap wrap_s = PackedWrap::clamp_to_edge, wrap_t = PackedWrap::clamp_to_edge;
+  PackedFilter minification = PackedFilter::linear, magnification = PackedFilter::linear;
+};
+
+/// Colours of 8 bits a channel to draw into; `target` 2D or cube.
+Texture make_color_texture(const Functions& gl, GLenum target, GLsizei width, GLsizei height, const TextureSettings& settings);
+/// Depths to draw into, read as they are stored, as a grey picture. Their format is that of make_color_target().
+Texture make_depth_picture(const Functions& gl, GLsizei width, GLsizei height, const TextureSettings& settings);
+/// The smaller copies that the minification filter reads, made from what the texture holds; nothing where it reads none.
+void update_mipmaps(const Functions& gl, GLenum target, const Texture& texture, PackedFilter minification);
+
 /// One white texel, for samplers that nothing feeds.
 Texture make_white_texture(const Functions& gl, GLenum target);
 

@@ -55,7 +55,7 @@ Shot Studio::shoot(LoadedScene& scene, const FrameOptions& options) {
     target = {};  // the old one's memory goes first
     target = gl::make_measuring_target(state.gl, width, height);
   }
-  draw_frame(state.gl, scene, {target.framebuffer, width, height}, options, state.messages);
+  draw_frame(state.gl, scene, {target.framebuffer, width, height, false}, options, state.messages);
   Shot shot{width, height, gl::read_output(state.gl, target, 0), gl::read_output(state.gl, target, 1)};
   for (const std::string& error : gl::take_errors(state.gl)) state.messages.add("OpenGL error " + error);
   return shot;
@@ -78,7 +78,7 @@ FrameTime Studio::time_frame(LoadedScene& scene, const FrameOptions& options, bo
   state.gl.Finish();
   const auto start = std::chrono::steady_clock::now();
   const double processor_start = processor_milliseconds();
-  draw_frame(state.gl, scene, {state.shown.framebuffer, width, height}, options, state.messages);
+  draw_frame(state.gl, scene, {state.shown.framebuffer, width, height, false}, options, state.messages);
   state.gl.Finish();
   return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(),
           processor_milliseconds() - processor_start};

@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 namespace plugc {
-namespace {
 
 Renderer* process_renderer() {
   static const std::unique_ptr<Renderer> renderer = [] {
@@ -22,6 +21,8 @@ Renderer* process_renderer() {
   }();
   return renderer.get();
 }
+
+namespace {
 
 /// The process's renderer with the first scene of the package; null where nothing can be drawn, which is a failure.
 Renderer* load(const Package& package) {

@@ -19,6 +19,9 @@ using Color = std::array<int, 3>;
 /// Values of dynamic fields, by `DEF.field`.
 using FieldValues = std::vector<std::pair<std::string, double>>;
 
+/// The one renderer of this process; null, with a failure, where there can be none.
+Renderer* process_renderer();
+
 /// Draws the first scene of a package, with these fields changed, on the one renderer of this process. Whatever the renderer
 /// has to say is a failure.
 Picture draw_package(const Package& package, std::uint32_t width = 64, std::uint32_t height = 64,

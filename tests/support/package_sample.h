@@ -85,6 +85,27 @@ inline PackedShapeT sample_shape() {
   return shape;
 }
 
+inline PackedRenderedTextureT sample_rendered_texture() {
+  PackedRenderedTextureT texture;
+  texture.width = 64;
+  texture.height = 32;
+  texture.update = PackedShadowUpdate::always;
+  texture.background_color = kSampleColor;
+  texture.rendering_slots = {kSampleScalar};
+  return texture;
+}
+
+inline PackedScreenEffectT sample_screen_effect() {
+  PackedScreenEffectT effect;
+  effect.name = "Grey";
+  effect.program = 1;
+  effect.bindings = {{2, 0, 0, 1, PackedSource::screen_color}, {0, kSampleColor, 0, 1, PackedSource::slot}};
+  effect.enabled = kSampleScalar;
+  effect.needs_depth = true;
+  effect.transform = 1;
+  return effect;
+}
+
 inline PackedSceneT sample_scene() {
   PackedSceneT scene;
   scene.name = "kettle.x3dv";
@@ -111,6 +132,8 @@ inline PackedSceneT sample_scene() {
   scene.viewpoints.back()->description = "from the front";
   scene.viewpoints.back()->field_of_view = kSampleScalar;
   scene.bound_viewpoint = -1;
+  scene.rendered_textures.push_back(std::make_unique<PackedRenderedTextureT>(sample_rendered_texture()));
+  scene.screen_effects.push_back(std::make_unique<PackedScreenEffectT>(sample_screen_effect()));
   return scene;
 }
 

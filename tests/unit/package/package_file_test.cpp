@@ -344,6 +344,43 @@ TEST(PackageFile, ChecksVariantsAsItDoesShapes) {
             "scene 0, shape 0, variant 0, depth binding 0: there is no program that it could feed");
 }
 
+TEST(PackageFile, ChecksRenderedTextures) {
+  const auto texture = [](PackageT& package) -> PackedRenderedTextureT& { return *package.scenes[0]->rendered_textures[0]; };
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).kind = static_cast<PackedRenderedKind>(9); }),
+            "scene 0, rendered texture 0: its kind is unknown");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).width = 0; }),
+            "scene 0, rendered texture 0: its size 0 x 32 is out of range");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).height = 8193; }),
+            "scene 0, rendered texture 0: its size 64 x 8193 is out of range");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).kind = PackedRenderedKind::cube; }),
+            "scene 0, rendered texture 0: its size 64 x 32 is out of range");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).viewpoint = 0; }),
+            "scene 0, rendered texture 0: viewpoint 0 does not exist");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).rendering_slots = {7}; }),
+            "scene 0, rendered texture 0, rendering slot 0: it is slot 7, which does not exist");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).magnification = PackedFilter::linear_mipmap_linear; }),
+            "scene 0, rendered texture 0: its filter is unknown");
+  EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shapes[0]->own_scene_of = 1; }),
+            "scene 0, shape 0: rendered texture 1 does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->shapes[0]->bindings = {{2, 1, 0, 1, PackedSource::rendered_texture}};
+            }),
+            "scene 0, shape 0, binding 0: rendered texture 1 does not exist, there are 1");
+}
+
+TEST(PackageFile, ChecksScreenEffects) {
+  const auto effect = [](PackageT& package) -> PackedScreenEffectT& { return *package.scenes[0]->screen_effects[0]; };
+  EXPECT_EQ(error_after([&](PackageT& p) { effect(p).program = 2; }),
+            "scene 0, screen effect 0: program 2 does not exist, there are 2");
+  EXPECT_EQ(error_after([&](PackageT& p) { effect(p).enabled = 9; }),
+            "scene 0, screen effect 0: enabled is slot 9, which does not exist");
+  EXPECT_EQ(error_after([&](PackageT& p) { effect(p).transform = 2; }), "scene 0, screen effect 0: transform 2 does not exist");
+  EXPECT_EQ(error_after([&](PackageT& p) {
+              effect(p).bindings = {{0, 0, 0, 1, PackedSource::screen_depth}};
+            }),
+            "scene 0, screen effect 0, binding 0: its source does not fit the uniform `color`");
+}
+
 TEST(PackageFile, ChecksEffectsOfALibrary) {
   const auto after = [](const std::function<void(PackedEffectT&)>& change) {
     return error_after([&](PackageT& p) { change(*p.effects[0]); });

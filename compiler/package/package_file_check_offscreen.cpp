@@ -1,0 +1,55 @@
+// Textures that the scene renders, and its screen effects.
+
+#include "base/rendered_limits.h"
+#include "package/package_file_check.h"
+
+namespace plugc {
+namespace {
+
+bool check_sides(PackageCheck& check, const PackedRenderedTexture& texture, const Place& place) {
+  const bool cube = texture.kind() == PackedRenderedKind::cube;
+  const std::uint32_t largest = cube ? kMaxRenderedCubeSide : kMaxRenderedSide;
+  const auto fits = [&](std::uint32_t side) { return side >= 1 && side <= largest; };
+  const bool good = fits(texture.width()) && fits(texture.height()) && (!cube || texture.width() == texture.height());
+  return good || check.fail(place, fmt::format("its size {} x {} is out of range", texture.width(), texture.height()));
+}
+
+bool check_rendered_texture(SceneCheck& scene, const PackedRenderedTexture& texture, const Place& place) {
+  PackageCheck& check = scene.check;
+  if (!is_enumerator(texture.kind())) return check.fail(place, "its kind is unknown");
+  if (!is_enumerator(texture.update())) return check.fail(place, "its update mode is unknown");
+  if (!is_enumerator(texture.wrap_s()) || !is_enumerator(texture.wrap_t()))
+    return check.fail(place, "its wrap mode is unknown");
+  if (!is_enumerator(texture.minification()) || texture.magnification() > PackedFilter::linear)
+    return check.fail(place, "its filter is unknown");
+  if (!is_index_or_none(texture.viewpoint(), scene.scene.projectors()->size()))
+    return check.fail(place, fmt::format("viewpoint {} does not exist", texture.viewpoint()));
+  return check_sides(check, texture, place) && scene.slot(place, "background color", texture.background_color(), 3) &&
+         (texture.rendering_slots() == nullptr ||
+          check.each(&place, "rendering slot", *texture.rendering_slots(),
+                     [&](std::uint32_t slot, const Place& at) { return scene.present_slot(at, "it", slot, 1); }));
+}
+
+bool check_screen_effect(SceneCheck& scene, const PackedScreenEffect& effect, const Place& place) {
+  PackageCheck& check = scene.check;
+  return check.require_index(place, "program", effect.program(), check.package.programs()->size()) &&
+         check_bindings(scene, "binding", *effect.bindings(), static_cast<std::int32_t>(effect.program()), place) &&
+         scene.slot(place, "enabled", effect.enabled(), 1) && scene.transform(place, effect.transform());
+}
+
+}  // namespace
+
+bool check_offscreen(SceneCheck& scene, const Place& place) {
+  const auto* textures = scene.scene.rendered_textures();
+  const auto* effects = scene.scene.screen_effects();
+  return (textures == nullptr || scene.check.each(&place, "rendered texture", *textures,
+                                                  [&](const PackedRenderedTexture* texture, const Place& at) {
+                                                    return check_rendered_texture(scene, *texture, at);
+                                                  })) &&
+         (effects == nullptr ||
+          scene.check.each(&place, "screen effect", *effects, [&](const PackedScreenEffect* effect, const Place& at) {
+            return check_screen_effect(scene, *effect, at);
+          }));
+}
+
+}  // namespace plugc

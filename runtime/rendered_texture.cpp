@@ -1,0 +1,114 @@
+#include "runtime/rendered_texture.h"
+
+#include <algorithm>
+
+#include "base/rendered_limits.h"
+#include "runtime/cube_map.h"
+
+namespace plugc {
+namespace {
+
+bool reads(const flatbuffers::Vector<const PackedBinding*>& bindings, std::uint32_t texture) {
+  return std::any_of(bindings.begin(), bindings.end(), [texture](const PackedBinding* binding) {
+    return binding->source() == PackedSource::rendered_texture && binding->a() == texture;
+  });
+}
+
+/// Shapes some program of which reads it, in any of their states.
+std::vector<std::uint32_t> find_readers(const PackedScene& scene, std::uint32_t texture) {
+  std::vector<std::uint32_t> readers;
+  for (std::uint32_t i = 0; i < scene.shapes()->size(); ++i) {
+    const PackedShape& shape = *scene.shapes()->Get(i);
+    bool found = reads(*shape.bindings(), texture);
+    for (const PackedVariant* variant : *shape.variants()) found = found || reads(*variant->bindings(), texture);
+    if (found) readers.push_back(i);
+  }
+  return readers;
+}
+
+bool screen_effect_reads(const PackedScene& scene, std::uint32_t texture) {
+  const auto* effects = scene.screen_effects();
+  return effects != nullptr && std::any_of(effects->begin(), effects->end(), [texture](const PackedScreenEffect* effect) {
+           return reads(*effect->bindings(), texture);
+         });
+}
+
+GLsizei usable_side(std::uint32_t wanted, std::uint32_t largest, Messages& messages) {
+  const std::uint32_t side = std::clamp(wanted, 1U, largest);
+  if (side != wanted)
+    messages.add("a rendered texture cannot have " + std::to_string(wanted) + " texels along a side: it gets " +
+                 std::to_string(side));
+  return static_cast<GLsizei>(side);
+}
+
+gl::TextureSettings settings_of(const PackedRenderedTexture& packed) {
+  const bool depth = packed.kind() == PackedRenderedKind::depth;  // which has no smaller copies
+  return {packed.wrap_s(), packed.wrap_t(), depth ? PackedFilter::linear : packed.minification(), packed.magnification()};
+}
+
+void make_cube(const gl::Functions& gl, const PackedRenderedTexture& packed, RenderedTexture& made) {
+  made.texture = gl::make_color_texture(gl, GL_TEXTURE_CUBE_MAP, made.width, made.width, settings_of(packed));
+  made.depth = gl::make_depth_buffer(gl, made.width, made.width);
+  for (GLenum face = 0; face < kCubeFaceCount; ++face)
+    made.targets.push_back(gl::make_texture_target(gl, made.texture, GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, made.depth));
+}
+
+void make_picture(const gl::Functions& gl, const PackedRenderedTexture& packed, RenderedTexture& made) {
+  const gl::TextureSettings settings = settings_of(packed);
+  if (packed.kind() == PackedRenderedKind::depth) {
+    made.texture = gl::make_depth_picture(gl, made.width, made.height, settings);
+    made.color = gl::make_color_texture(gl, GL_TEXTURE_2D, made.width, made.height, {});
+    made.targets.push_back(gl::make_texture_target(gl, made.color, made.texture));
+  } else {
+    made.texture = gl::make_color_texture(gl, GL_TEXTURE_2D, made.width, made.height, settings);
+    made.depth = gl::make_depth_buffer(gl, made.width, made.height);
+    made.targets.push_back(gl::make_texture_target(gl, made.texture, GL_TEXTURE_2D, made.depth));
+  }
+}
+
+/// Takes its texels from those that are left.
+RenderedTexture make_rendered_texture(const gl::Functions& gl, const PackedRenderedTexture& packed, std::uint64_t& texels_left,
+                                      Messages& messages) {
+  RenderedTexture made;
+  const bool cube = packed.kind() == PackedRenderedKind::cube;
+  const GLsizei of_driver = cube ? gl::max_cube_map_side(gl) : gl::max_target_side(gl);
+  const std::uint32_t largest = std::min(cube ? kMaxRenderedCubeSide : kMaxRenderedSide, static_cast<std::uint32_t>(of_driver));
+  made.width = usable_side(packed.width(), largest, messages);
+  made.height = cube ? made.width : usable_side(packed.height(), largest, messages);
+  const std::uint64_t texels =
+      static_cast<std::uint64_t>(made.width) * static_cast<std::uint64_t>(made.height) * (cube ? kCubeFaceCount : 1);
+  if (texels > texels_left) {
+    messages.add("the scene's rendered textures have more than " + std::to_string(kMaxRenderedTexels) +
+                 " texels: the last are white");
+    return {};
+  }
+  texels_left -= texels;
+  cube ? make_cube(gl, packed, made) : make_picture(gl, packed, made);
+  const bool complete =
+      std::ranges::all_of(made.targets, [&](const gl::Framebuffer& target) { return gl::is_complete(gl, target); });
+  if (complete) return made;
+  messages.add("the driver cannot draw a texture of " + std::to_string(made.width) + " by " + std::to_string(made.height) +
+               ": it is white");
+  return {};
+}
+
+}  // namespace
+
+std::vector<RenderedTexture> make_rendered_textures(const gl::Functions& functions, const PackedScene& scene,
+                                                    Messages& messages) {
+  std::vector<RenderedTexture> all;
+  std::uint64_t texels_left = kMaxRenderedTexels;
+  const std::uint32_t count = scene.rendered_textures() == nullptr ? 0 : scene.rendered_textures()->size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const PackedRenderedTexture& packed = *scene.rendered_textures()->Get(i);
+    std::vector<std::uint32_t> readers = find_readers(scene, i);
+    const bool read_by_screen = screen_effect_reads(scene, i);
+    const bool of_use = (!readers.empty() || read_by_screen) && packed.update() != PackedShadowUpdate::none;
+    all.push_back(of_use ? make_rendered_texture(functions, packed, texels_left, messages) : RenderedTexture());
+    all.back().readers = std::move(readers);
+    all.back().read_by_screen = read_by_screen;
+  }
+  return all;
+}
+
+}  // namespace plugc
