@@ -96,7 +96,7 @@ void draw_cube(Frame& frame, const PackedRenderedTexture& packed, const Rendered
   view.shadow_camera = around(scene.world, place);
   view.without_shape = shape;
   view.background_color = background_of(scene, packed);
-  turn_billboards(scene, view.shadow_camera);
+  place_for_viewer(scene, view.shadow_camera);
   for (unsigned face = 0; face < kCubeFaceCount; ++face) {
     view.camera = cube_face(view.shadow_camera, face);
     draw(frame, made, face, view);
