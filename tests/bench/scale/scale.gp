@@ -8,7 +8,7 @@ set xlabel 'shapes'
 set xrange [700:140000]
 set xtics (1000,10000,100000)
 set format y '%g'
-set key left top
+set key below maxrows 1 samplen 1 width -2
 set multiplot layout 2,2
 do for [panel=1:4] {
   set title titles[panel]
