@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "compose/castle_names.h"
+#include "package/assemble_events.h"
 #include "package/pack_geometry.h"
 #include "package/pack_offscreen.h"
 #include "package/pack_program.h"
@@ -401,6 +402,7 @@ void Assembler::add_scene(SceneParts& parts) {
   packed->background_color = scene.background_color;
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
+  pack_events(scene, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
   for (const SceneProjector& projector : scene.projectors) packed->projectors.push_back(pack_viewpoint(projector.viewpoint));

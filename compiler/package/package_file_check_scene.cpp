@@ -121,7 +121,8 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          check.each(
              &place, "projector", *packed.projectors(),
              [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
-         check_offscreen(scene, place) && scene.slot(place, "background color", packed.background_color(), 3);
+         check_offscreen(scene, place) && scene.slot(place, "background color", packed.background_color(), 3) &&
+         check_events(scene, place);
 }
 
 }  // namespace plugc

@@ -13,6 +13,7 @@
 #include "base/limits.h"
 #include "scene/library_effects.h"
 #include "scene/scene_context.h"
+#include "scene/scene_events.h"
 
 namespace plugc {
 namespace {
@@ -281,6 +282,8 @@ void SceneWalk::visit_bindable(NodeId node) {
     navigation_info_ = node;
   } else if (graph_.is(node, "Fog")) {
     if (!bound_fog_) bound_fog_ = add_fog(context_, node, transform_);  // the first is bound (X3D 4.1, 7.2.2)
+  } else if (graph_.is(node, "ProximitySensor")) {
+    context_.sensor_transforms.try_emplace(node, transform_);
   } else if (graph_.is(node, "ScreenEffect")) {
     add_screen_effect(context_, node, transform_);
   }
@@ -364,6 +367,7 @@ Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files,
   SceneContext context(graph, sources, files, options, diagnostics);
   SceneWalk(context).run();
   add_dynamic_slots(context);
+  read_events(context);
   report_ignored_events(graph, diagnostics);
   return std::move(context.scene);
 }

@@ -31,7 +31,8 @@ struct SceneContext {
   std::vector<DynamicField> dynamic;
   SlotTable slots;
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
-  std::set<NodeId> screen_effects;                                                              ///< That were met.
+  std::map<NodeId, int> sensor_transforms;            ///< Where each ProximitySensor stands first.
+  std::set<NodeId> screen_effects;                    ///< That were met.
   std::map<NodeId, int> own_viewpoints;               ///< Transforms of those in the scenes of rendered textures.
   std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };

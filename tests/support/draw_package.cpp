@@ -33,12 +33,13 @@ Renderer* load(const Package& package) {
   return nullptr;
 }
 
-Picture draw_with(Renderer& renderer, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
+Picture draw_with(Renderer& renderer, std::uint32_t width, std::uint32_t height, const FieldValues& fields, double time = 0) {
   std::string error;
   for (const auto& [name, value] : fields) EXPECT_TRUE(renderer.set_field(name, {value}, error)) << error;
   FrameOptions frame;
   frame.width = width;
   frame.height = height;
+  frame.time = time;
   Picture picture = renderer.draw(frame);
   EXPECT_THAT(renderer.messages(), testing::IsEmpty());
   return picture;
@@ -46,9 +47,10 @@ Picture draw_with(Renderer& renderer, std::uint32_t width, std::uint32_t height,
 
 }  // namespace
 
-Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
+Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields,
+                     double time) {
   Renderer* renderer = load(package);
-  return renderer != nullptr ? draw_with(*renderer, width, height, fields) : Picture();
+  return renderer != nullptr ? draw_with(*renderer, width, height, fields, time) : Picture();
 }
 
 Picture redraw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
@@ -56,6 +58,14 @@ Picture redraw_package(const Package& package, std::uint32_t width, std::uint32_
   if (renderer == nullptr) return {};
   draw_with(*renderer, width, height, {});
   return draw_with(*renderer, width, height, fields);
+}
+
+std::vector<std::vector<double>> fields_at(const Package& package, const std::vector<std::string>& names, double time) {
+  constexpr std::uint32_t kSide = 4;
+  std::vector<std::vector<double>> values;
+  if (draw_package(package, kSide, kSide, {}, time).pixels.empty()) return values;
+  for (const std::string& name : names) values.push_back(process_renderer()->field(name));
+  return values;
 }
 
 Color color_at(const Picture& picture, std::uint32_t x, std::uint32_t y) {
