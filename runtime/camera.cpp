@@ -162,7 +162,7 @@ std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted
 }
 
 View view_of_world(const World& world, double aspect) {
-  View view = view_of_whole(world.bounds);
+  View view = view_of_whole(world.framed.empty() ? world.bounds : world.framed);
   view.projection = perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
   return view;
 }

@@ -1,28 +1,41 @@
 #pragma once
-// The events of a scene: what its sensors send at a time, and what comes of it (X3D 4.1, 4.4.8).
+// The events of a scene: what its sensors send at a time, and what comes of it (X3D 4.1, 4.4.8). Slots hold the values.
 
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
-#include "package/package_file.h"
-#include "runtime/events.h"
+#include "runtime/event_node.h"
 
 namespace plugc {
 
-/// What a node of the graph remembers from one event to the next.
-struct EventMemory {
-  bool active = false, paused = false;
-  double start = 0;         ///< Of an active TimeSensor: the startTime that began it.
-  double paused_since = 0;  ///< While it is paused.
-  double paused_for = 0;    ///< Seconds of all its pauses that are over.
-  double cycle = 0;         ///< The time that its cycle began at.
-  std::int64_t step = -1;   ///< Of a sequencer: the key that it stands at.
+/// What has happened in a scene so far.
+struct EventGraph {
+  double time = -1;                 ///< Up to which everything has happened; less than 0: nothing has.
+  std::vector<EventMemory> memory;  ///< By event node.
+  /// Slots that wake a node, with the node, in order.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> listeners;
+  std::map<std::uint32_t, std::vector<double>> from_outside;  ///< What a host has written to slots.
+  std::vector<std::uint32_t> unheard;                         ///< Those of them whose events have not been sent yet.
 };
 
-struct EventGraph {
-  double time = -1;  ///< Up to which everything has happened; less than 0: nothing has.
-  std::vector<EventMemory> memory;
-  std::vector<std::uint32_t> sent_from_outside;  ///< Slots that a host has written since.
+/// Before anything happens.
+EventGraph make_event_graph(const PackedScene& scene);
+
+/// A host writes a slot; what hangs on it follows with the next advance_events(). False when the slot does not hold that
+/// many values.
+bool send_from_outside(EventGraph& graph, Slots& slots, std::uint32_t slot, const std::vector<double>& values);
+
+/// Lets everything happen up to `time`, in seconds since the scene was loaded. Sensors start and stop at their own times, so
+/// that what comes of it does not depend on the times that it is called for; all others send at `time`. To go back starts anew.
+void advance_events(EventGraph& graph, const PackedScene& scene, Slots& slots, double time);
+
+/// Sends from a node the values of its outputs (empty: not that one) at the time that has been reached.
+struct NodeEvents {
+  std::uint32_t node = 0;
+  std::vector<SentEvent> sent;
 };
+void send_events(EventGraph& graph, const PackedScene& scene, Slots& slots, const std::vector<NodeEvents>& events);
 
 }  // namespace plugc

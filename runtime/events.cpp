@@ -10,6 +10,7 @@ Slots::Slots(const PackedScene& scene)
 
 std::span<const double> Slots::values(std::uint32_t slot) const {
   if (slot == kNoSlot || slots_ == nullptr || slot >= slots_->size()) return {};
+  if (watching_) watched_[slot] = true;
   const PackedSlot& packed = *slots_->Get(slot);
   return std::span(values_).subspan(packed.first(), std::size_t{component_count(packed.type())} * packed.count());
 }
@@ -37,7 +38,19 @@ bool Slots::set(std::uint32_t slot, std::span<const double> changed) {
   if (std::equal(old.begin(), old.end(), changed.begin())) return true;
   std::copy(changed.begin(), changed.end(), values_.begin() + slots_->Get(slot)->first());
   ++revision_;
+  if (!watched_.empty() && watched_[slot]) ++watched_revision_;
   return true;
+}
+
+void Slots::set_watching(bool on) {
+  watching_ = on;
+  if (slots_ != nullptr) watched_.resize(slots_->size(), false);
+}
+
+void Slots::restore(const PackedScene& scene) {
+  values_.assign(scene.slot_values()->begin(), scene.slot_values()->end());
+  ++revision_;
+  ++watched_revision_;
 }
 
 }  // namespace plugc

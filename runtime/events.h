@@ -29,15 +29,24 @@ class Slots {
   /// False when there is no such slot, or it holds another number of values.
   bool set(std::uint32_t slot, std::span<const double> values);
 
+  /// All values as the package has them.
+  void restore(const PackedScene& scene);
+
   /// Grows whenever a value changes: what was computed at an older revision may be out of date.
   std::uint64_t revision() const { return revision_; }
+
+  /// While it is on, what is read is noted: from then on a change of such a slot makes watched_revision() grow, too.
+  void set_watching(bool on);
+  std::uint64_t watched_revision() const { return watched_revision_; }
 
  private:
   double component(std::uint32_t slot, std::size_t index, double fallback) const;
 
   const flatbuffers::Vector<const PackedSlot*>* slots_ = nullptr;
   std::vector<double> values_;
-  std::uint64_t revision_ = 1;
+  std::uint64_t revision_ = 1, watched_revision_ = 1;
+  bool watching_ = false;
+  mutable std::vector<bool> watched_;  // by slot; as long as there are slots once something has been watched
 };
 
 }  // namespace plugc

@@ -35,6 +35,7 @@ LoadedScene load_scene(const gl::Functions& functions, const Package& package, c
                     ProgramPool(functions, package),
                     ResourcePool(functions, package),
                     make_shadow_maps(functions, packed, messages)};
+  scene.events = make_event_graph(packed);
   scene.rendered_textures = make_rendered_textures(functions, packed, messages);
   upload(scene, messages);
   return scene;

@@ -22,7 +22,7 @@ struct LoadedScene {
   const Package* package = nullptr;
   const PackedScene* packed = nullptr;
   Slots slots;
-  World world;  ///< As of `placed_revision` of the slots.
+  World world;  ///< As of `placed_revision` of the watched slots.
   std::uint64_t placed_revision = 0;
   ProgramPool programs;
   ResourcePool resources;

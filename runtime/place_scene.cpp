@@ -1,12 +1,24 @@
 #include "runtime/place_scene.h"
 
 namespace plugc {
+namespace {
+
+/// Notes which slots placing reads.
+void place_anew(LoadedScene& scene, const Viewer* viewer) {
+  const Box framed = scene.world.framed;
+  scene.slots.set_watching(true);
+  scene.world = place(*scene.package, *scene.packed, scene.slots, viewer, scene.placed_scene);
+  scene.slots.set_watching(false);
+  scene.world.framed = framed;
+}
+
+}  // namespace
 
 void place_scene(LoadedScene& scene, std::int32_t own_scene_of) {
-  if (scene.placed_revision == scene.slots.revision() && scene.placed_scene == own_scene_of) return;
-  scene.world = place(*scene.package, *scene.packed, scene.slots, nullptr, own_scene_of);
-  scene.placed_revision = scene.slots.revision();
+  if (scene.placed_revision == scene.slots.watched_revision() && scene.placed_scene == own_scene_of) return;
   scene.placed_scene = own_scene_of;
+  place_anew(scene, nullptr);
+  scene.placed_revision = scene.slots.watched_revision();
   scene.placed_for.reset();
 }
 
@@ -15,7 +27,7 @@ bool place_for_viewer(LoadedScene& scene, const View& camera) {
   const Viewer viewer{glm::dvec3(camera.eye_to_world[3]), glm::dvec3(camera.eye_to_world[1]),
                       glm::dvec3(camera.eye_to_world[2])};
   if (scene.placed_for == viewer) return false;
-  scene.world = place(*scene.package, *scene.packed, scene.slots, &viewer, scene.placed_scene);
+  place_anew(scene, &viewer);
   scene.placed_for = viewer;
   return true;
 }

@@ -1,24 +1,28 @@
-// A frame, top-down: place everything (only when a slot changed), draw the textures that are out of date, draw the picture, and
-// let the screen effects change it.
+// A frame, top-down: let happen what happens until then and place everything (only when a slot changed), draw the textures that
+// are out of date, draw the picture, and let the screen effects change it.
 
 #include "runtime/draw_frame.h"
 #include "runtime/draw_rendered_textures.h"
 #include "runtime/draw_screen_effects.h"
 #include "runtime/draw_view.h"
 #include "runtime/place_scene.h"
+#include "runtime/scene_time.h"
 
 namespace plugc {
 namespace {
 
+View look(Frame& frame, const FrameTarget& target) {
+  const double aspect = static_cast<double>(target.width) / target.height;
+  const LoadedScene& scene = frame.scene;
+  return make_camera(*scene.packed, scene.slots, scene.world, frame.options.viewpoint, aspect, frame.messages);
+}
+
 SceneView picture_view(Frame& frame, const FrameTarget& target) {
   LoadedScene& scene = frame.scene;
-  const std::string& wanted = frame.options.viewpoint;
-  const double aspect = static_cast<double>(target.width) / target.height;
   SceneView view;
-  view.camera = settled_camera(
-      scene, [&] { return make_camera(*scene.packed, scene.slots, scene.world, wanted, aspect, frame.messages); });
+  view.camera = settled_camera(scene, [&] { return look(frame, target); });
   view.shadow_camera = view.camera;
-  view.viewpoint = bound_viewpoint(*scene.packed, wanted);
+  view.viewpoint = bound_viewpoint(*scene.packed, frame.options.viewpoint);
   view.background_color = scene.packed->background_color();
   return view;
 }
@@ -28,7 +32,7 @@ SceneView picture_view(Frame& frame, const FrameTarget& target) {
 FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const FrameOptions& options,
                            Messages& messages) {
   Frame frame{gl, scene, messages, options};
-  place_scene(scene);
+  reach_time(scene, options.time, bound_viewpoint(*scene.packed, options.viewpoint), [&] { return look(frame, target); });
   if (!scene.rendered_textures.empty()) {
     frame.viewer = picture_view(frame, target).camera;
     draw_rendered_textures(frame);

@@ -63,6 +63,9 @@ class Renderer {
   /// are 0 and 1. No program is compiled for it. False, with `error`, for any other field or another number of values.
   bool set_field(std::string_view name, const std::vector<double>& values, std::string& error);
 
+  /// What the field holds that the package calls so (`DEF.field`), as of the last picture; empty where there is none.
+  std::vector<double> field(std::string_view name) const;
+
   Picture draw(const FrameOptions& options);
   const FrameStatistics& statistics() const;
   const std::vector<std::string>& messages() const;  ///< Driver messages and odd inputs so far.

@@ -84,7 +84,7 @@ bool Renderer::load(const Package& package, std::uint32_t scene, std::string& er
 }
 
 void Renderer::set_slot(std::uint32_t slot, const std::vector<double>& values) {
-  if (state_->scene.slots.set(slot, values)) return;
+  if (send_from_outside(state_->scene.events, state_->scene.slots, slot, values)) return;
   state_->messages.add("slot " + std::to_string(slot) + " does not hold " + std::to_string(values.size()) +
                        " values: it keeps what it had");
 }
@@ -96,7 +96,7 @@ bool Renderer::set_field(std::string_view name, const std::vector<double>& value
     for (const PackedSlotName* slot : *scene.packed->slot_names()) {
       if (slot->name()->string_view() != name || !slot->dynamic()) continue;
       found = true;
-      if (scene.slots.set(slot->slot(), values)) continue;
+      if (send_from_outside(scene.events, scene.slots, slot->slot(), values)) continue;
       error = "`" + std::string(name) + "` holds " + std::to_string(scene.slots.values(slot->slot()).size()) +
               " numbers, not " + std::to_string(values.size());
       return false;
@@ -106,6 +106,17 @@ bool Renderer::set_field(std::string_view name, const std::vector<double>& value
     error = "the package does not let a host change `" + std::string(name) + "`: build it with `--dynamic " +
             std::string(name) + "`";
   return found;
+}
+
+std::vector<double> Renderer::field(std::string_view name) const {
+  const LoadedScene& scene = state_->scene;
+  if (scene.packed == nullptr) return {};
+  for (const PackedSlotName* slot : *scene.packed->slot_names()) {
+    if (slot->name()->string_view() != name) continue;
+    const std::span<const double> values = scene.slots.values(slot->slot());
+    return {values.begin(), values.end()};
+  }
+  return {};
 }
 
 Picture Renderer::draw(const FrameOptions& options) {

@@ -25,6 +25,7 @@ struct World {
   std::vector<bool> shape_visible;
   std::vector<std::uint8_t> shape_variant;  ///< Which of a shape's programs its switches ask for now.
   Box bounds;                               ///< Around all visible shapes.
+  Box framed;                               ///< What a view of the whole shows; empty: `bounds`.
 
   /// The transform of that index; -1: the world.
   const PlacedTransform& at(std::int32_t transform) const;

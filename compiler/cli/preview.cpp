@@ -11,6 +11,7 @@
 
 #include "cli/commands.h"
 #include "cli/field_setting.h"
+#include "cli/frame_series.h"
 #include "cli/picture_size.h"
 #include "image/write_png.h"
 #include "runtime/render.h"
@@ -29,13 +30,15 @@ struct PreviewOptions {
   std::string effect;
   std::uint32_t samples = 1;
   std::vector<std::string> settings;
+  FrameSeries series;
   bool no_shadows = false;
   bool statistics = false;
 };
 
 RendererOptions renderer_options(const PreviewOptions& options) {
+  constexpr std::uint32_t kManyPictures = 60;  // from which on well generated code pays
   RendererOptions renderer;
-  renderer.single_picture = true;
+  renderer.single_picture = options.series.pictures() < kManyPictures;
   if (!options.common.no_cache) renderer.cache_folder = cache_folder("mesa").string();
   return renderer;
 }
@@ -50,7 +53,7 @@ struct Choice {
 /// What the drawing thread leaves behind.
 struct Drawn {
   std::string error;
-  Picture picture;
+  Picture picture;  ///< The last one; those before it are written.
   FrameStatistics statistics;
   std::vector<std::string> messages;
 };
@@ -75,14 +78,40 @@ bool apply(const std::vector<FieldSetting>& settings, Renderer& renderer, std::s
                              [&](const FieldSetting& one) { return renderer.set_field(one.name, one.values, error); });
 }
 
+bool write_picture(const std::string& path, const Picture& picture) {
+  return write_png(path, picture.width, picture.height, picture.pixels, false);
+}
+
+/// All pictures of the series; each is written in a thread of its own while the next one is drawn. Returns the last one.
+Picture draw_series(Renderer& renderer, FrameOptions frame, const PreviewOptions& options, std::string& error) {
+  std::future<bool> written;
+  const auto has_written = [&](std::uint32_t picture) {
+    if (!written.valid() || written.get()) return true;
+    error = fmt::format("cannot write `{}`", picture_name(options.output, options.series, picture));
+    return false;
+  };
+  const std::uint32_t last = options.series.pictures() - 1;
+  for (std::uint32_t i = 0; i < last; ++i) {
+    frame.time = options.series.time_of(i);
+    Picture picture = renderer.draw(frame);
+    if (i != 0 && !has_written(i - 1)) return {};
+    written =
+        std::async(std::launch::async, write_picture, picture_name(options.output, options.series, i), std::move(picture));
+  }
+  frame.time = options.series.time_of(last);
+  Picture picture = renderer.draw(frame);
+  if (last != 0 && !has_written(last - 1)) return {};
+  return picture;
+}
+
 /// Makes the context at once, then waits for the package. All GL of a renderer happens in one thread, its end too.
-void draw(const RendererOptions& options, const FrameOptions& frame, std::future<Choice> chosen, std::promise<Drawn> done) {
+void draw(const PreviewOptions& options, const FrameOptions& frame, std::future<Choice> chosen, std::promise<Drawn> done) {
   Drawn drawn;
-  const std::unique_ptr<Renderer> renderer = Renderer::make(options, drawn.error);
+  const std::unique_ptr<Renderer> renderer = Renderer::make(renderer_options(options), drawn.error);
   const Choice choice = chosen.get();
   if (renderer != nullptr && choice.package != nullptr && renderer->load(*choice.package, choice.scene, drawn.error) &&
       apply(choice.settings, *renderer, drawn.error)) {
-    drawn.picture = renderer->draw(frame);
+    drawn.picture = draw_series(*renderer, frame, options, drawn.error);
     drawn.statistics = renderer->statistics();
     drawn.messages = renderer->messages();
   }
@@ -109,7 +138,7 @@ std::vector<std::uint8_t> package_bytes(const PreviewOptions& options, const std
 int preview(const PreviewOptions& options) {
   const auto size = read_picture_size(options.size);
   if (!size) refuse_picture_size(options.size);
-  if (!size) return kBrokenUse;
+  if (!size || !check_series(options.series)) return kBrokenUse;
   FrameOptions frame;
   frame.width = size->width;
   frame.height = size->height;
@@ -134,8 +163,7 @@ int preview(const PreviewOptions& options) {
   std::promise<Choice> choice;
   std::promise<Drawn> done;
   std::future<Drawn> picture = done.get_future();
-  const auto drawing =
-      std::async(std::launch::async, draw, renderer_options(options), frame, choice.get_future(), std::move(done));
+  const auto drawing = std::async(std::launch::async, draw, options, frame, choice.get_future(), std::move(done));
   int status = kFine;
   bytes = package_bytes(options, settings, validator.get(), status);
   const PackageView view = open_package(bytes);
@@ -153,8 +181,9 @@ int preview(const PreviewOptions& options) {
     fmt::print(stderr, "plugc: {}: {}\n", options.input, error);
     return packed && view.package == nullptr ? kInputErrors : kBrokenUse;
   }
-  if (!write_png(options.output, drawn.picture.width, drawn.picture.height, drawn.picture.pixels, false)) {
-    fmt::print(stderr, "plugc: cannot write `{}`\n", options.output);
+  const std::string output = picture_name(options.output, options.series, options.series.pictures() - 1);
+  if (!write_picture(output, drawn.picture)) {
+    fmt::print(stderr, "plugc: cannot write `{}`\n", output);
     return kBrokenUse;
   }
   if (options.statistics) {
@@ -189,6 +218,12 @@ void add_preview_command(CLI::App& app, int& status) {
                    "field must have been built with --dynamic")
       ->take_all()
       ->allow_extra_args(false);
+  verb->add_option("--time", options->series.time, "Seconds since the scene was loaded")->capture_default_str();
+  verb->add_option(
+          "--frames", options->series.count,
+          "Draw a series of that many pictures, with their numbers before the extension: out0000.png, out0001.png, ...")
+      ->check(CLI::Range(1, 1000000));
+  verb->add_option("--step", options->series.step, "Seconds from one picture of a series to the next")->capture_default_str();
   verb->add_flag("--no-shadows", options->no_shadows, "Draw everything lit, to see what shadows do");
   verb->add_flag("--statistics", options->statistics, "Print draw calls, programs and shadow passes");
   add_dynamic_option(*verb, options->common);
@@ -198,7 +233,8 @@ void add_preview_command(CLI::App& app, int& status) {
   add_jobs_option(*verb, options->common, "Programs that are validated at a time");
   verb->footer(
       "Draws on the CPU (OSMesa); no display is needed.\n\n"
-      "Example: plugc preview scene.x3dv -o picture.png --size 800x450");
+      "Example: plugc preview scene.x3dv -o picture.png --size 800x450\n"
+      "         plugc preview scene.x3dv -o film.png --frames 50 --step 0.04");
   verb->callback([options, &status] { status = preview(*options); });
 }
 

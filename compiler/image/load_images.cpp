@@ -14,6 +14,7 @@
 #include "base/data_url.h"
 #include "image/join_images.h"
 #include "image/pixel_image.h"
+#include "scene/movie_url.h"
 
 namespace plugc {
 namespace {
@@ -52,17 +53,26 @@ std::shared_ptr<const Image> load_data_url(const Loading& l, const MappedText& u
   return nullptr;
 }
 
-std::shared_ptr<const Image> load_url(const Loading& l, NodeId texture, const MappedText& url, Diagnostics& failures) {
-  const Span span = url.locate(0, url.size());
-  if (is_data_url(url.text())) return load_data_url(l, url, span, failures);
+std::shared_ptr<const Image> load_file(const Loading& l, NodeId texture, std::string_view url, const Span& span,
+                                       Diagnostics& failures) {
   const std::filesystem::path base = l.graph.base_path(texture);
-  const auto path = resolve_url(url.text(), base);
+  const auto path = resolve_url(url, base);
   if (path) {
     if (const auto found = l.loaded.find(*path); found != l.loaded.end()) return found->second;
   }
-  const auto bytes = read_url(l.files, url.text(), base, span, failures);
+  const auto bytes = read_url(l.files, url, base, span, failures);
   if (!bytes || !path) return nullptr;
-  return l.loaded[*path] = decode(l, *bytes, url.text(), span, failures);
+  return l.loaded[*path] = decode(l, *bytes, url, span, failures);
+}
+
+std::shared_ptr<const Image> load_url(const Loading& l, NodeId texture, const MappedText& url, Diagnostics& failures) {
+  const Span span = url.locate(0, url.size());
+  if (is_data_url(url.text())) return load_data_url(l, url, span, failures);
+  if (!l.graph.is(texture, "MovieTexture")) return load_file(l, texture, url.text(), span, failures);
+  if (!names_picture(url.text())) return nullptr;
+  Diagnostics unsaid(l.diagnostics.sources());  // a series begins with 0 or with 1
+  if (auto image = load_file(l, texture, numbered_picture(url.text(), 0), span, unsaid)) return image;
+  return load_file(l, texture, numbered_picture(url.text(), 1), span, failures);
 }
 
 std::shared_ptr<const Image> load_urls(const Loading& l, NodeId texture, std::string_view field = "url") {
@@ -85,7 +95,8 @@ std::shared_ptr<const Image> finish(const Loading& l, NodeId texture, std::strin
 
 /// A picture inside of a volume or a cube map: only one in a file or spelled out has pixels.
 std::shared_ptr<const Image> load_picture(const Loading& l, NodeId texture) {
-  if (l.graph.is(texture, "ImageTexture")) return load_urls(l, texture);
+  const bool movie = l.graph.is(texture, "MovieTexture") && has_picture_url(l.graph, texture);
+  if (movie || l.graph.is(texture, "ImageTexture")) return load_urls(l, texture);
   if (l.graph.is(texture, "PixelTexture"))
     return finish(l, texture, "image", image_of_pixels(l.graph.field(texture, "image").numbers));
   if (texture.valid()) {

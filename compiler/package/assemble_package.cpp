@@ -11,6 +11,7 @@
 
 #include "compose/castle_names.h"
 #include "package/pack_attributes.h"
+#include "package/assemble_events.h"
 #include "package/pack_geometry.h"
 #include "package/pack_offscreen.h"
 #include "package/pack_program.h"
@@ -403,6 +404,7 @@ void Assembler::add_scene(SceneParts& parts) {
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   pack_clip_planes(scene, *packed);
+  pack_events(scene, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
   for (const SceneProjector& projector : scene.projectors) packed->projectors.push_back(pack_viewpoint(projector.viewpoint));

@@ -98,6 +98,8 @@ bool check_scene(PackageCheck& check, const PackedScene& scene, const Place& pla
 /// Of one program: -1 for none, which nothing may feed. `word` names a binding.
 bool check_bindings(SceneCheck& scene, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
                     std::int32_t program, const Place& place);
+/// Event nodes and routes of the scene, whose slots are checked.
+bool check_events(SceneCheck& scene, const Place& place);
 /// Rendered textures and screen effects.
 bool check_offscreen(SceneCheck& scene, const Place& place);
 bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place);

@@ -141,7 +141,8 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
              [&](const PackedViewpoint* viewpoint, const Place& at) { return check_viewpoint(scene, *viewpoint, at); }) &&
          (packed.viewpoints()->size() == 0 || is_index_or_none(packed.bound_viewpoint(), packed.viewpoints()->size()) ||
           check.fail(place, fmt::format("its bound viewpoint {} does not exist", packed.bound_viewpoint()))) &&
-         check_offscreen(scene, place) && scene.slot(place, "background color", packed.background_color(), 3);
+         check_offscreen(scene, place) && scene.slot(place, "background color", packed.background_color(), 3) &&
+         check_events(scene, place);
 }
 
 }  // namespace plugc

@@ -291,6 +291,22 @@ void dump_viewpoint(Text& text, const char* word, const PackedViewpoint& viewpoi
        slot(viewpoint.orientation()), slot(viewpoint.field_of_view()));
 }
 
+std::string slots(const flatbuffers::Vector<std::uint32_t>& list) {
+  std::string text;
+  for (const std::uint32_t index : list) text.append(" ").append(slot(index));
+  return text;
+}
+
+void dump_events(Text& text, const PackedScene& scene) {
+  for (flatbuffers::uoffset_t i = 0; scene.event_nodes() != nullptr && i < scene.event_nodes()->size(); ++i) {
+    const PackedEventNode& node = *scene.event_nodes()->Get(i);
+    line(text, "  event node {} {}:{} ->{}{}", i, EnumNamePackedEventKind(node.kind()), slots(*node.inputs()),
+         slots(*node.outputs()), node.subject() < 0 ? "" : fmt::format(", subject {}", node.subject()));
+  }
+  if (scene.routes() == nullptr) return;
+  for (const PackedRoute* route : *scene.routes()) line(text, "  route slot {} to slot {}", route->from(), route->to());
+}
+
 void dump_rendered_texture(Text& text, const PackedRenderedTexture& texture, std::size_t index) {
   line(text, "  rendered texture {}: {} {} x {}, update {}, viewpoint {}{}, background color slot {}", index,
        EnumNamePackedRenderedKind(texture.kind()), texture.width(), texture.height(),
@@ -332,6 +348,7 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
     line(text, "  bound viewpoint {}", scene.bound_viewpoint());
   each(*scene.projectors(),
        [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "projector", viewpoint, i); });
+  dump_events(text, scene);
   if (scene.rendered_textures() != nullptr)
     each(*scene.rendered_textures(),
          [&](const PackedRenderedTexture& texture, std::size_t i) { dump_rendered_texture(text, texture, i); });

@@ -14,6 +14,7 @@
 #include "base/limits.h"
 #include "scene/library_effects.h"
 #include "scene/scene_context.h"
+#include "scene/scene_events.h"
 
 namespace plugc {
 namespace {
@@ -362,6 +363,8 @@ void SceneWalk::visit_other(NodeId node) {
     visit_viewpoint(node);
   } else if (graph_.is(node, "ViewpointGroup")) {
     visit_list(graph_.children(node, "children"));
+  } else if (graph_.is(node, "ProximitySensor")) {
+    context_.sensor_transforms.try_emplace(node, transform_);
   } else if (graph_.is(node, "ScreenEffect")) {
     add_screen_effect(context_, node, transform_);
   } else {
@@ -475,6 +478,7 @@ Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files,
   SceneContext context(graph, sources, files, options, diagnostics);
   SceneWalk(context).run();
   add_dynamic_slots(context);
+  read_events(context);
   report_ignored_events(graph, diagnostics);
   return std::move(context.scene);
 }

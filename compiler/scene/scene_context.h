@@ -32,7 +32,8 @@ struct SceneContext {
   SlotTable slots;
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
   std::map<NodeId, int> back_materials;               ///< Of TwoSidedMaterial: what it says of back faces.
-  std::set<NodeId> screen_effects;                                                              ///< That were met.
+  std::map<NodeId, int> sensor_transforms;            ///< Where each ProximitySensor stands first.
+  std::set<NodeId> screen_effects;                    ///< That were met.
   std::map<NodeId, int> own_viewpoints;               ///< Transforms of those in the scenes of rendered textures.
   std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/movie_url.h"
 #include "scene/scene_context.h"
 
 namespace plugc {
@@ -25,7 +26,7 @@ constexpr TextureType kTextureTypes[] = {
     {"ImageTexture3D", TextureKind::image_3d, true, true},       {"PixelTexture3D", TextureKind::image_3d, true, true},
     {"ComposedTexture3D", TextureKind::image_3d, true, true},    {"ImageCubeMapTexture", TextureKind::cube, true, true},
     {"ComposedCubeMapTexture", TextureKind::cube, true, true},   {"ShaderTexture", TextureKind::shader, false, true},
-    {"MovieTexture", TextureKind::image_2d, false, false},       {"RenderedTexture", TextureKind::image_2d, false, true},
+    {"MovieTexture", TextureKind::image_2d, true, true},         {"RenderedTexture", TextureKind::image_2d, false, true},
     {"GeneratedCubeMapTexture", TextureKind::cube, false, true}, {"GeneratedShadowMap", TextureKind::shadow_2d, false, true},
 };
 
@@ -86,13 +87,22 @@ void read_comparison(const NodeGraph& graph, NodeId node, SceneTexture& texture)
   if (mode == "COMPARE_R_GEQUAL") texture.compare = DepthCompare::greater_equal;
 }
 
+/// Of a MovieTexture its first picture is drawn, where a picture is what its url names.
+bool has_first_picture(SceneContext& context, NodeId node) {
+  if (has_picture_url(context.graph, node)) return true;
+  context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span,
+                             "a white texel stands for this `MovieTexture`: none of its urls names a picture, and movie files "
+                             "are not decoded; a series of pictures is written `fire@counter(4).png`");
+  return false;
+}
+
 SceneTexture read_texture(SceneContext& context, NodeId node, const TextureType& type) {
   const NodeGraph& graph = context.graph;
   SceneTexture texture;
   texture.kind = type.kind;
   texture.node = node;
   if (type.kind == TextureKind::shadow_2d) read_comparison(graph, node, texture);
-  texture.has_pixels = type.has_pixels;
+  texture.has_pixels = type.has_pixels && (type.name != "MovieTexture" || has_first_picture(context, node));
   texture.wrap_s = read_wrap(graph, node, "repeatS", "boundaryModeS");
   texture.wrap_t = read_wrap(graph, node, "repeatT", "boundaryModeT");
   texture.wrap_r = read_wrap(graph, node, "repeatR", "boundaryModeR");

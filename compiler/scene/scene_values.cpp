@@ -91,6 +91,28 @@ std::uint32_t SlotTable::interface_slot(NodeId node, const InterfaceField& field
   return add(node, field.name, value);
 }
 
+std::uint32_t SlotTable::slot_of_size(NodeId node, std::string_view field, std::size_t size) {
+  if (size == 0) return kSceneNoSlot;
+  const std::vector<double> zeros(size, 0.0);
+  FieldValue value = graph_.field(node, field);
+  value.numbers = zeros;
+  return add(node, field, value);
+}
+
+std::optional<std::uint32_t> SlotTable::find(NodeId node, std::string_view field) const {
+  const auto found = known_.find({node, field});
+  if (found == known_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::vector<std::pair<NodeId, std::string_view>> SlotTable::routed_fields() const {
+  std::vector<Field> fields;
+  for (const auto& [field, slot] : known_) {
+    if (routed_.contains(field)) fields.push_back(field);
+  }
+  return fields;
+}
+
 std::uint32_t SlotTable::declared_slot(NodeId node, std::string_view field) {
   const std::span<const InterfaceField> own = graph_[node].interface();
   const auto declared = std::ranges::find(own, field, &InterfaceField::name);

@@ -2,6 +2,7 @@
 // Field values as slots: one slot for each (node, field), whoever asks, so that a shared node keeps one set of values.
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -24,6 +25,8 @@ class SlotTable {
   std::uint32_t slot_if_used(NodeId node, std::string_view field);
   /// The slot of a node's own interface field; none for types that no uniform takes.
   std::uint32_t interface_slot(NodeId node, const InterfaceField& field);
+  /// The slot of a field that holds a list of that many numbers, all zero at first; none for no numbers.
+  std::uint32_t slot_of_size(NodeId node, std::string_view field, std::size_t size);
   /// The slot of a field, of the node's own interface or of its type.
   std::uint32_t declared_slot(NodeId node, std::string_view field);
   /// A value that nothing changes; equal ones share a slot.
@@ -31,6 +34,10 @@ class SlotTable {
 
   /// Whether a ROUTE or the host may change the field.
   bool may_change(NodeId node, std::string_view field) const;
+  /// The slot that the field has already.
+  std::optional<std::uint32_t> find(NodeId node, std::string_view field) const;
+  /// The fields with a slot that a ROUTE leads to.
+  std::vector<std::pair<NodeId, std::string_view>> routed_fields() const;
 
  private:
   std::uint32_t add(NodeId node, std::string_view field, const FieldValue& value);

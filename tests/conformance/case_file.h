@@ -18,7 +18,8 @@
 //     --- programs                 how many programs the package has
 //     --- effects                  of a library: `NAME needs PLUGS; offers PLUGS; KIND; KIND ...`, in order
 //     --- pixels                   `X Y: R G B` in a picture of 32 by 32 pixels, from the top left; `pixels DEF.field=0 ...`
-//                                  with dynamic fields changed
+//                                  with dynamic fields changed; `time=T` of the scene at that time
+//     --- values 1.5               `DEF.field: NUMBERS` that slots hold at that time, after the scene has been seen at 0
 
 #include <filesystem>
 #include <string>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -165,18 +166,43 @@ void expect_stage(const Compiled& compiled, PackedStageKind stage, const CaseSec
     expect_in_order(text, section);
 }
 
-/// `--- pixels Glow.enabled=0 Lamp.on=1`
-FieldValues field_values(const CaseSection& section) {
+/// `--- pixels Glow.enabled=0 Lamp.on=1 time=2`
+FieldValues field_values(const CaseSection& section, double& time) {
   FieldValues values;
   for (std::size_t i = 1; i < section.title.size(); ++i) {
     const std::size_t equals = section.title[i].find('=');
-    values.emplace_back(section.title[i].substr(0, equals), std::stod(section.title[i].substr(equals + 1)));
+    const double value = std::stod(section.title[i].substr(equals + 1));
+    if (section.title[i].starts_with("time="))
+      time = value;
+    else
+      values.emplace_back(section.title[i].substr(0, equals), value);
   }
   return values;
 }
 
+/// `Box.translation: 1 0 2`
+void expect_values(const Compiled& compiled, const CaseSection& section) {
+  constexpr double kError = 1e-6;
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> expected;
+  for (const std::string& line : section.lines) {
+    if (line.empty()) continue;
+    names.push_back(line.substr(0, line.find(':')));
+    std::istringstream numbers(line.substr(names.back().size() + 1));
+    expected.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
+  }
+  const auto found = fields_at(*compiled.package, names, std::stod(section.title.at(1)));
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_THAT(found[i], testing::Pointwise(testing::DoubleNear(kError), expected[i]))
+        << names[i] << ", line " << section.line;
+  }
+}
+
 void expect_pixels(const Compiled& compiled, const CaseSection& section) {
-  const Picture picture = draw_package(*compiled.package, kPictureSide, kPictureSide, field_values(section));
+  double time = 0;
+  const FieldValues fields = field_values(section, time);
+  const Picture picture = draw_package(*compiled.package, kPictureSide, kPictureSide, fields, time);
   for (const std::string& line : section.lines) {
     if (line.empty()) continue;
     std::istringstream stream(line);
@@ -228,6 +254,8 @@ void expect_section(const Compiled& compiled, const CaseSection& section) {
     expect_stage(compiled, PackedStageKind::fragment, section);
   else if (kind == "pixels")
     expect_pixels(compiled, section);
+  else if (kind == "values")
+    expect_values(compiled, section);
   else if (kind == "effects")
     expect_effects(compiled, section);
   else if (kind == "package")

@@ -41,10 +41,11 @@ Picture draw_with(Renderer& renderer, const FrameOptions& frame, const FieldValu
   return picture;
 }
 
-FrameOptions frame_of(std::uint32_t width, std::uint32_t height) {
+FrameOptions frame_of(std::uint32_t width, std::uint32_t height, double time = 0) {
   FrameOptions frame;
   frame.width = width;
   frame.height = height;
+  frame.time = time;
   return frame;
 }
 
@@ -55,9 +56,10 @@ Picture draw_package(const Package& package, const FrameOptions& frame) {
   return renderer != nullptr ? draw_with(*renderer, frame, {}) : Picture();
 }
 
-Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
+Picture draw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields,
+                     double time) {
   Renderer* renderer = load(package);
-  return renderer != nullptr ? draw_with(*renderer, frame_of(width, height), fields) : Picture();
+  return renderer != nullptr ? draw_with(*renderer, frame_of(width, height, time), fields) : Picture();
 }
 
 Picture redraw_package(const Package& package, std::uint32_t width, std::uint32_t height, const FieldValues& fields) {
@@ -65,6 +67,14 @@ Picture redraw_package(const Package& package, std::uint32_t width, std::uint32_
   if (renderer == nullptr) return {};
   draw_with(*renderer, frame_of(width, height), {});
   return draw_with(*renderer, frame_of(width, height), fields);
+}
+
+std::vector<std::vector<double>> fields_at(const Package& package, const std::vector<std::string>& names, double time) {
+  constexpr std::uint32_t kSide = 4;
+  std::vector<std::vector<double>> values;
+  if (draw_package(package, kSide, kSide, {}, time).pixels.empty()) return values;
+  for (const std::string& name : names) values.push_back(process_renderer()->field(name));
+  return values;
 }
 
 Color color_at(const Picture& picture, std::uint32_t x, std::uint32_t y) {

@@ -22,10 +22,13 @@ using FieldValues = std::vector<std::pair<std::string, double>>;
 /// The one renderer of this process; null, with a failure, where there can be none.
 Renderer* process_renderer();
 
-/// Draws the first scene of a package, with these fields changed, on the one renderer of this process. Whatever the renderer
-/// has to say is a failure.
+/// Draws the first scene of a package as it is at that time, with these fields changed, on the one renderer of this process.
+/// Whatever the renderer has to say is a failure.
 Picture draw_package(const Package& package, std::uint32_t width = 64, std::uint32_t height = 64,
-                     const FieldValues& fields = {});
+                     const FieldValues& fields = {}, double time = 0);
+
+/// What those fields hold at that time, as draw_package() draws it.
+std::vector<std::vector<double>> fields_at(const Package& package, const std::vector<std::string>& names, double time);
 
 /// The same in a frame with those options.
 Picture draw_package(const Package& package, const FrameOptions& frame);

@@ -132,6 +132,11 @@ inline PackedSceneT sample_scene() {
   scene.viewpoints.back()->description = "from the front";
   scene.viewpoints.back()->field_of_view = kSampleScalar;
   scene.bound_viewpoint = -1;
+  scene.event_nodes.push_back(std::make_unique<PackedEventNodeT>());
+  scene.event_nodes.back()->kind = PackedEventKind::interpolate;
+  scene.event_nodes.back()->inputs = {kSampleScalar, kSampleScalar, kSampleColor};
+  scene.event_nodes.back()->outputs = {kSampleColor};
+  scene.routes = {{kSampleColor, kSampleColor}};
   scene.rendered_textures.push_back(std::make_unique<PackedRenderedTextureT>(sample_rendered_texture()));
   scene.screen_effects.push_back(std::make_unique<PackedScreenEffectT>(sample_screen_effect()));
   return scene;

@@ -437,5 +437,37 @@ TEST(PackageFile, DumpsNamesWithoutBreakingTheLine) {
   EXPECT_EQ(dump_package(*open_package(bytes).package), "package by ``\nsource 0 `a\\x0ab`\n");
 }
 
+TEST(PackageFile, ChecksEvents) {
+  const auto node = [](PackageT& p) -> PackedEventNodeT& { return *p.scenes[0]->event_nodes[0]; };
+  EXPECT_EQ(error_after([&](PackageT& p) { node(p).kind = PackedEventKind{99}; }),
+            "scene 0, event node 0: its kind is unknown");
+  EXPECT_EQ(error_after([&](PackageT& p) { node(p).inputs.pop_back(); }),
+            "scene 0, event node 0: it has not the slots of its kind");
+  EXPECT_EQ(error_after([&](PackageT& p) { node(p).inputs[1] = 9; }),
+            "scene 0, event node 0, input 1: it is slot 9, which does not exist");
+  EXPECT_EQ(error_after([&](PackageT& p) { node(p).kind = PackedEventKind::interpolate_rotation; }),
+            "scene 0, event node 0: output 0 holds 3 numbers, not 4");
+  EXPECT_EQ(error_after([&](PackageT& p) { node(p).subject = 0; }), "scene 0, event node 0: its kind has no subject");
+  EXPECT_EQ(error_after([&](PackageT& p) {
+              node(p).kind = PackedEventKind::camera;
+              node(p).inputs.clear();
+              node(p).outputs.assign(4, kNoSlot);
+              node(p).subject = 4;
+            }),
+            "scene 0, event node 0: viewpoint 4 does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->routes[0] = {kSampleColor, 9};
+            }),
+            "scene 0, route 0: its end is slot 9, which does not exist");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->routes[0] = {kSampleColor, kSampleScalar};
+            }),
+            "scene 0, route 0: 3 numbers lead to 1");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->routes = {{kSampleScalar, kSampleScalar}, {kSampleColor, kSampleColor}};
+            }),
+            "scene 0, route 1: it is out of order");
+}
+
 }  // namespace
 }  // namespace plugc

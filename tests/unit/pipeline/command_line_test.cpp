@@ -124,6 +124,47 @@ TEST(CommandLine, PreviewShowsAnotherState) {
   EXPECT_THAT(middle_of(folder, "blue.png"), IsColor(Color{0, 0, 255}));
 }
 
+constexpr std::string_view kReddening = R"(#X3D V4.0 utf8
+DEF Clock TimeSensor { loop TRUE cycleInterval 4 }
+DEF Fade ScalarInterpolator { key [0 1] keyValue [0 1] }
+Shape {
+  appearance Appearance {
+    material UnlitMaterial { emissiveColor 0 0 1 }
+    effects DEF Tint Effect { inputOutput SFFloat amount 1 parts EffectPart { type "FRAGMENT" url "data:text/plain,
+uniform float amount;
+void PLUG_fragment_modify(inout vec4 c) { c.r = amount; }" } }
+  }
+  geometry Box { }
+}
+ROUTE Clock.fraction_changed TO Fade.set_fraction
+ROUTE Fade.value_changed TO Tint.amount
+)";
+
+TEST(CommandLine, PreviewDrawsAnyTime) {
+  const SceneFolder folder;
+  folder.write("scene.x3dv", kReddening);
+  EXPECT_EQ(run_plugc(folder, "preview scene.x3dv -o begin.png --size 32x32").status, 0);
+  EXPECT_THAT(middle_of(folder, "begin.png"), IsColor(Color{0, 0, 255}));
+  EXPECT_EQ(run_plugc(folder, "preview scene.x3dv -o later.png --size 32x32 --time 9").status, 0);
+  EXPECT_THAT(middle_of(folder, "later.png"), IsColor(Color{64, 0, 255}));
+  for (const std::string wrong : {"--time -1", "--time nan", "--step -1", "--step inf", "--frames 0"})
+    EXPECT_EQ(run_plugc(folder, "preview scene.x3dv -o no.png " + wrong).status, 2) << wrong;
+}
+
+TEST(CommandLine, PreviewDrawsASeries) {
+  const SceneFolder folder;
+  folder.write("scene.x3dv", kReddening);
+  EXPECT_EQ(run_plugc(folder, "preview scene.x3dv -o film.png --size 32x32 --time 1 --frames 3 --step 0.5").status, 0);
+  EXPECT_THAT(middle_of(folder, "film0000.png"), IsColor(Color{64, 0, 255}));
+  EXPECT_THAT(middle_of(folder, "film0001.png"), IsColor(Color{96, 0, 255}));
+  EXPECT_THAT(middle_of(folder, "film0002.png"), IsColor(Color{128, 0, 255}));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "film0003.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "film.png"));
+  const Ended refused = run_plugc(folder, "preview scene.x3dv -o nowhere/film.png --size 32x32 --frames 3");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("cannot write `nowhere/film0000.png`"));
+}
+
 constexpr std::string_view kLibrary = R"(#X3D V4.0 utf8
 DEF Tint Effect { language "GLSL" inputOutput SFColor tint 1 0.5 0 parts EffectPart { type "FRAGMENT" url "data:text/plain,
 uniform vec3 tint;

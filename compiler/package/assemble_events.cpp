@@ -1,0 +1,17 @@
+#include "package/assemble_events.h"
+
+namespace plugc {
+
+void pack_events(const Scene& scene, PackedSceneT& packed) {
+  for (const SceneEventNode& node : scene.event_nodes) {
+    auto added = std::make_unique<PackedEventNodeT>();
+    added->kind = static_cast<PackedEventKind>(node.kind);
+    added->inputs = node.inputs;
+    added->outputs = node.outputs;
+    added->subject = node.subject;
+    packed.event_nodes.push_back(std::move(added));
+  }
+  for (const SceneRoute& route : scene.routes) packed.routes.emplace_back(route.from, route.to);
+}
+
+}  // namespace plugc

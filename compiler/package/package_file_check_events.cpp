@@ -1,0 +1,113 @@
+// The event graph: slots that exist, as many numbers at both ends of a route. What the numbers say (keys out of order, an empty
+// list) is left to the runtime, where events may change them.
+
+#include "package/package_file_check.h"
+
+namespace plugc {
+
+namespace {
+
+/// Slots that a node reads, and sends from, as the schema lists them.
+struct Arity {
+  std::size_t inputs = 0, outputs = 0;
+};
+
+Arity arity_of(PackedEventKind kind) {
+  switch (kind) {
+    case PackedEventKind::time_sensor: return {7, 6};
+    case PackedEventKind::proximity_sensor: return {3, 5};
+    case PackedEventKind::camera: return {0, 4};
+    case PackedEventKind::interpolate:
+    case PackedEventKind::interpolate_color:
+    case PackedEventKind::interpolate_normal:
+    case PackedEventKind::interpolate_rotation:
+    case PackedEventKind::squad:
+    case PackedEventKind::ease: return {3, 1};
+    case PackedEventKind::spline: return {6, 1};
+    case PackedEventKind::sequence: return {5, 1};
+    case PackedEventKind::boolean_filter: return {1, 3};
+    case PackedEventKind::boolean_toggle:
+    case PackedEventKind::integer_trigger: return {2, 1};
+    case PackedEventKind::boolean_trigger:
+    case PackedEventKind::time_trigger: return {1, 1};
+  }
+  return {};
+}
+
+/// Numbers that a slot holds; 0 for none.
+std::uint64_t slot_size(const PackedScene& scene, std::uint32_t index) {
+  if (index >= scene.slots()->size()) return 0;
+  const PackedSlot& slot = *scene.slots()->Get(index);
+  return std::uint64_t{slot.count()} * component_count(slot.type());
+}
+
+/// What the kind's arithmetic takes for granted of the value that is sent.
+bool check_width(SceneCheck& scene, const PackedEventNode& node, const Place& place) {
+  const auto width = [&](flatbuffers::uoffset_t output) { return slot_size(scene.scene, node.outputs()->Get(output)); };
+  const auto is = [&](flatbuffers::uoffset_t output, std::uint64_t wanted) {
+    return node.outputs()->Get(output) == kNoSlot || width(output) == wanted ||
+           scene.check.fail(place, fmt::format("output {} holds {} numbers, not {}", output, width(output), wanted));
+  };
+  switch (node.kind()) {
+    case PackedEventKind::interpolate:
+    case PackedEventKind::spline: return true;
+    case PackedEventKind::interpolate_normal:
+      return width(0) % 3 == 0 || scene.check.fail(place, "its value is no list of vectors");
+    case PackedEventKind::interpolate_color: return is(0, 3);
+    case PackedEventKind::interpolate_rotation:
+    case PackedEventKind::squad: return is(0, 4);
+    case PackedEventKind::camera: return is(0, 16) && is(1, 16) && is(2, 9) && is(3, 9);
+    case PackedEventKind::proximity_sensor: return is(0, 1) && is(1, 1) && is(2, 1) && is(3, 3) && is(4, 4);
+    default: break;
+  }
+  for (flatbuffers::uoffset_t i = 0; i < node.outputs()->size(); ++i) {
+    if (!is(i, 1)) return false;
+  }
+  return true;
+}
+
+bool check_subject(SceneCheck& scene, const PackedEventNode& node, const Place& place) {
+  if (node.kind() == PackedEventKind::camera) {
+    return is_index_or_none(node.subject(), scene.scene.viewpoints()->size()) ||
+           scene.check.fail(place, fmt::format("viewpoint {} does not exist", node.subject()));
+  }
+  return node.kind() == PackedEventKind::proximity_sensor
+             ? scene.transform(place, node.subject())
+             : node.subject() == -1 || scene.check.fail(place, "its kind has no subject");
+}
+
+bool check_node(SceneCheck& scene, const PackedEventNode& node, const Place& place) {
+  PackageCheck& check = scene.check;
+  if (!is_enumerator(node.kind())) return check.fail(place, "its kind is unknown");
+  const Arity arity = arity_of(node.kind());
+  if (node.inputs()->size() != arity.inputs || node.outputs()->size() != arity.outputs)
+    return check.fail(place, "it has not the slots of its kind");
+  const auto is_slot = [&](std::uint32_t slot, const Place& at) { return scene.slot(at, "it", slot, 1); };
+  return check.each(&place, "input", *node.inputs(), is_slot) && check.each(&place, "output", *node.outputs(), is_slot) &&
+         check_width(scene, node, place) && check_subject(scene, node, place);
+}
+
+bool check_route(SceneCheck& scene, const PackedRoute& route, const Place& place) {
+  const std::uint64_t sent = slot_size(scene.scene, route.from()), received = slot_size(scene.scene, route.to());
+  if (!scene.present_slot(place, "its start", route.from(), 1) || !scene.present_slot(place, "its end", route.to(), 1))
+    return false;
+  if (sent != received) return scene.check.fail(place, fmt::format("{} numbers lead to {}", sent, received));
+  return place.index == 0 ||
+         scene.scene.routes()->Get(static_cast<flatbuffers::uoffset_t>(place.index - 1))->from() <= route.from() ||
+         scene.check.fail(place, "it is out of order");
+}
+
+}  // namespace
+
+bool check_events(SceneCheck& scene, const Place& place) {
+  const auto* nodes = scene.scene.event_nodes();
+  const auto* routes = scene.scene.routes();
+  return (nodes == nullptr ||
+          scene.check.each(&place, "event node", *nodes,
+                           [&](const PackedEventNode* node, const Place& at) { return check_node(scene, *node, at); })) &&
+         (routes == nullptr || scene.check.each(&place, "route", *routes, [&](const PackedRoute* route, const Place& at) {
+           return check_route(scene, *route, at);
+         }));
+}
+
+}  // namespace plugc

@@ -1,0 +1,218 @@
+// The fields that are drawn have their slots by now. From these the routes are followed back to what makes events; what is
+// found on the way gets slots too, and an order in which each node stands behind those that send to it. Where routes run in a
+// circle, the node that stands first in the text begins.
+
+#include "scene/scene_events.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "scene/event_flow.h"
+#include "scene/event_names.h"
+
+namespace plugc {
+namespace {
+
+/// The transform of a proximity sensor, the index of a viewpoint.
+std::map<NodeId, int> find_subjects(const SceneContext& context) {
+  std::map<NodeId, int> subjects = context.sensor_transforms;
+  const auto& viewpoints = context.scene.viewpoints;
+  for (std::size_t i = 0; i < viewpoints.size(); ++i) subjects.try_emplace(viewpoints[i].node, static_cast<int>(i));
+  return subjects;
+}
+
+std::set<NodeId> keys(const std::map<NodeId, int>& map) {
+  std::set<NodeId> result;
+  for (const auto& [key, value] : map) result.insert(key);
+  return result;
+}
+
+/// What decides vertices, pixels of a texture, or which of several nodes counts: all of that is done when the scene is
+/// compiled. Nodes and urls are told of by report_ignored_events().
+bool is_fixed(const NodeGraph& graph, const EventField& field) {
+  const auto is = [&](std::string_view type) { return graph.is(field.first, type); };
+  const FieldInfo* info = find_field_info(*graph[field.first].info, field.second);
+  if (info == nullptr || is_node(info->type) || field.second == "url") return false;
+  if (is("X3DBindableNode")) return field.second == "set_bind";
+  return is("X3DGeometryNode") || is("X3DGeometricPropertyNode") || is("X3DFontStyleNode") || is("X3DTextureNode");
+}
+
+/// What sends from there is a node whose events plugc does not make, though they would come without anybody's hand.
+bool is_unmade(const NodeGraph& graph, const EventField& field) {
+  const NodeId node = field.first;
+  const bool by_hand = graph.is(node, "X3DPointingDeviceSensorNode") || graph.is(node, "X3DKeyDeviceSensorNode") ||
+                       graph.is(node, "X3DNetworkSensorNode");
+  if (by_hand || (graph.is(node, "RenderedTexture") && field.second == "rendering")) return false;  // the frame makes that one
+  if (graph.is(node, "X3DScriptNode")) return true;
+  const EventNodeInfo* info = find_event_node(graph[node].info->name);
+  if (info != nullptr && find_field_index(info->outputs, field.second) >= 0) return false;
+  const FieldInfo* declared = find_field_info(*graph[node].info, field.second);
+  return declared != nullptr && declared->access == FieldAccess::output_only;
+}
+
+void report_ignored(SceneContext& context, const GraphRoute& route, std::string_view why) {
+  context.diagnostics.report(DiagnosticId::event_ignored, route.span, std::string(why));
+}
+
+/// Routes that the standard would have move something that is drawn, but that plugc does not follow.
+void report_unfollowed(SceneContext& context, const EventFlow& flow) {
+  const NodeGraph& graph = context.graph;
+  for (const GraphRoute& route : graph.routes()) {
+    const EventField from{route.from, route.from_field}, to{route.to, route.to_field};
+    const std::string_view sender = graph[route.from].info->name, receiver = graph[route.to].info->name;
+    const bool fixed = is_fixed(graph, to) && !context.slots.find(to.first, to.second);
+    if (fixed && flow.live.contains(from)) {
+      report_ignored(context, route,
+                     fmt::format("events to `{}.{}` are not followed: it is fixed when the scene is compiled, so the field "
+                                 "keeps its first value",
+                                 receiver, to.second));
+    } else if (flow.reaching.contains(to) && is_unmade(graph, from)) {
+      report_ignored(
+          context, route,
+          fmt::format("`{}.{}` sends nothing: plugc does not {} a `{}`, so `{}.{}` keeps its first value", sender, from.second,
+                      graph.is(route.from, "X3DScriptNode") ? "run" : "evaluate", sender, receiver, to.second));
+    }
+  }
+}
+
+/// What has to come before what. A vertex is a field, or a node: the field of no name.
+struct OrderGraph {
+  std::map<EventField, std::set<EventField>> edges;
+  std::map<EventField, std::size_t> waiting;  ///< How many edges lead there from what is unfinished.
+
+  void join(const EventField& from, const EventField& to) {
+    waiting.try_emplace(from, 0);
+    if (from != to && edges[from].insert(to).second) ++waiting[to];
+  }
+
+  std::vector<NodeId> nodes_in_order() {
+    std::set<EventField> ready, unfinished;
+    for (const auto& [vertex, count] : waiting) (count == 0 ? ready : unfinished).insert(vertex);
+    std::vector<NodeId> order;
+    while (!ready.empty() || !unfinished.empty()) {
+      std::set<EventField>& from = ready.empty() ? unfinished : ready;  // a circle: its first one begins
+      const EventField vertex = *from.begin();
+      from.erase(from.begin());
+      if (vertex.second.empty()) order.push_back(vertex.first);
+      for (const EventField& next : edges[vertex]) {
+        if (--waiting[next] == 0 && unfinished.erase(next) != 0) ready.insert(next);
+      }
+    }
+    return order;
+  }
+};
+
+class EventReader {
+ public:
+  EventReader(SceneContext& context, const EventFlow& flow) : context_(context), graph_(context.graph), flow_(flow) {}
+
+  void run(const std::map<NodeId, int>& subjects) {
+    for (const GraphRoute& route : graph_.routes()) {
+      if (flow_.carries(route)) add_route(route);
+    }
+    std::ranges::sort(context_.scene.routes);
+    for (const NodeId node : in_order()) add_node(node, subjects);
+  }
+
+ private:
+  void add_route(const GraphRoute& route);
+  void add_node(NodeId node, const std::map<NodeId, int>& subjects);
+  std::uint32_t slot(const EventField& field);
+  std::uint32_t input_slot(const EventField& field);
+  std::vector<NodeId> in_order() const;
+
+  SceneContext& context_;
+  const NodeGraph& graph_;
+  const EventFlow& flow_;
+  std::set<EventField> sending_, receiving_;
+  std::set<NodeId> nodes_;
+};
+
+/// How many numbers an interpolator makes whose value is a list.
+std::size_t list_size(const NodeGraph& graph, NodeId node) {
+  const std::size_t keys = graph.field(node, "key").numbers.size();
+  return keys == 0 ? 0 : graph.field(node, "keyValue").numbers.size() / keys;
+}
+
+std::uint32_t EventReader::slot(const EventField& field) {
+  const auto& [node, name] = field;
+  const FieldInfo* info = find_field_info(*graph_[node].info, name);
+  const bool is_list = name == "value_changed" && info != nullptr && is_multiple(info->type);
+  return is_list ? context_.slots.slot_of_size(node, name, list_size(graph_, node)) : context_.slots.declared_slot(node, name);
+}
+
+void EventReader::add_route(const GraphRoute& route) {
+  const EventField from{route.from, route.from_field}, to{route.to, route.to_field};
+  const std::uint32_t sent = slot(from), received = slot(to);
+  if (sent == kSceneNoSlot || received == kSceneNoSlot) return;  // strings and nodes
+  const auto& slots = context_.scene.slots;
+  if (slots[sent].values.size() != slots[received].values.size()) {
+    return report_ignored(context_, route,
+                          fmt::format("`{}.{}` sends {} numbers, but `{}.{}` holds {}, so it keeps its first value",
+                                      graph_[from.first].info->name, from.second, slots[sent].values.size(),
+                                      graph_[to.first].info->name, to.second, slots[received].values.size()));
+  }
+  context_.scene.routes.push_back({sent, received});
+  sending_.insert(from);
+  receiving_.insert(to);
+  for (const EventField& end : {from, to}) {
+    if (find_event_node(graph_[end.first].info->name) != nullptr) nodes_.insert(end.first);
+  }
+}
+
+std::uint32_t EventReader::input_slot(const EventField& field) {
+  const auto& [node, name] = field;
+  if (const auto known = context_.slots.find(node, name)) return *known;
+  const FieldInfo& info = *find_field_info(*graph_[node].info, name);
+  const bool empty_list = is_multiple(info.type) && graph_.field(node, name).numbers.empty();
+  return empty_list || !holds_value(info.access) ? kSceneNoSlot : context_.slots.slot_if_used(node, name);
+}
+
+void EventReader::add_node(NodeId node, const std::map<NodeId, int>& subjects) {
+  const EventNodeInfo& info = *find_event_node(graph_[node].info->name);
+  const bool sends = std::ranges::any_of(info.outputs, [&](std::string_view name) { return sending_.contains({node, name}); });
+  if (!sends) return;  // a viewpoint that only moves
+  SceneEventNode added;
+  added.kind = info.kind;
+  added.node = node;
+  for (const std::string_view name : info.outputs)
+    added.outputs.push_back(sending_.contains({node, name}) ? slot({node, name})
+                                                            : context_.slots.find(node, name).value_or(kSceneNoSlot));
+  for (const std::string_view name : info.inputs) added.inputs.push_back(input_slot({node, name}));
+  if (const auto subject = subjects.find(node); subject != subjects.end()) added.subject = subject->second;
+  context_.scene.event_nodes.push_back(std::move(added));
+}
+
+/// Kahn's order over fields and nodes: what nothing unfinished leads to comes next.
+std::vector<NodeId> EventReader::in_order() const {
+  OrderGraph graph;
+  for (const NodeId node : nodes_) {
+    const EventNodeInfo& info = *find_event_node(graph_[node].info->name);
+    graph.waiting.try_emplace({node, ""}, 0);
+    for (const std::string_view name : info.outputs) graph.join({node, ""}, {node, name});
+    for (const std::string_view name : info.inputs) {
+      if (receiving_.contains({node, name}) && find_field_index(info.outputs, name) < 0) graph.join({node, name}, {node, ""});
+    }
+  }
+  for (const GraphRoute& route : graph_.routes()) {
+    const EventField from{route.from, route.from_field}, to{route.to, route.to_field};
+    if (sending_.contains(from) && receiving_.contains(to)) graph.join(from, to);
+  }
+  return graph.nodes_in_order();
+}
+
+}  // namespace
+
+void read_events(SceneContext& context) {
+  if (context.graph.routes().empty()) return;
+  const std::map<NodeId, int> subjects = find_subjects(context);
+  const std::vector<EventField> drawn = context.slots.routed_fields();
+  const EventFlow flow = find_event_flow(context.graph, drawn, context.dynamic, keys(subjects));
+  report_unfollowed(context, flow);
+  EventReader(context, flow).run(subjects);
+}
+
+}  // namespace plugc

@@ -1,0 +1,12 @@
+#pragma once
+// The event graph of a scene as plain data.
+
+#include "scene/scene_context.h"
+
+namespace plugc {
+
+/// Fills the scene's event_nodes and routes, once everything that is drawn has its slots: only what reaches these is kept.
+/// Events that would change something drawn, but are not evaluated, are reported.
+void read_events(SceneContext& context);
+
+}  // namespace plugc

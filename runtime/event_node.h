@@ -1,0 +1,51 @@
+#pragma once
+// What one node of the event graph makes of the events that reach it.
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "package/package_file.h"
+#include "runtime/events.h"
+#include "runtime/time_sensor.h"
+
+namespace plugc {
+
+/// What a node remembers from one event to the next.
+struct EventMemory {
+  TimeSensorState clock;
+  std::int64_t step = -1;   ///< Of a sequence: the key that it stands at; -1: none yet.
+  bool inside = false;      ///< Of a proximity sensor.
+  bool has_looked = false;  ///< Of a camera and a proximity sensor: it has sent where the viewer is.
+};
+
+/// An event that a node sends, by the place of its output.
+struct SentEvent {
+  std::size_t output = 0;
+  std::vector<double> value;
+};
+
+/// A node with its slots, at one time.
+struct EventNodeInputs {
+  const PackedEventNode& node;
+  const Slots& slots;
+  const std::set<std::uint32_t>& arrived;  ///< Slots that events have reached at this time.
+  double time = 0;
+
+  std::uint32_t slot(std::size_t input) const { return node.inputs()->Get(static_cast<flatbuffers::uoffset_t>(input)); }
+  bool has_arrived(std::size_t input) const { return arrived.contains(slot(input)); }
+  std::span<const double> values(std::size_t input) const { return slots.values(slot(input)); }
+  double number(std::size_t input, double fallback) const { return slots.number(slot(input), fallback); }
+  bool boolean(std::size_t input, bool fallback) const { return slots.boolean(slot(input), fallback); }
+};
+
+/// Whether an event at that input makes the node send; the others are what it then works with.
+bool wakes(PackedEventKind kind, std::size_t input);
+
+/// What a node sends whom time or an event wakes; nothing for those that look at the camera.
+std::vector<SentEvent> wake(const EventNodeInputs& inputs, EventMemory& memory);
+
+/// The fields of a time sensor.
+TimeSensorFields time_sensor_fields(const EventNodeInputs& inputs);
+
+}  // namespace plugc
