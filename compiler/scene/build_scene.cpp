@@ -42,7 +42,8 @@ enum class Role : std::uint8_t {
   effect,
   light,
   local_fog,
-  clip_plane
+  clip_plane,
+  matrix_transform
 };
 
 Role role_of(const NodeInfo& node) {
@@ -52,8 +53,8 @@ Role role_of(const NodeInfo& node) {
                                                                                 {"Transform", Role::transform},
                                                                                 {"Billboard", Role::billboard},
                                                                                 {"Inline", Role::inlined},
+                                                                                {"MatrixTransform", Role::matrix_transform},
                                                                                 {"X3DGroupingNode", Role::group},
-                                                                                {"StaticGroup", Role::group},
                                                                                 {"Effect", Role::effect},
                                                                                 {"DirectionalLight", Role::light},
                                                                                 {"PointLight", Role::light},
@@ -248,6 +249,9 @@ void SceneWalk::visit(NodeId node) {
       visit_below(transform, graph_.children(node, "children"));
       break;
     }
+    case Role::matrix_transform:
+      visit_below(read_matrix_transform(context_, node, transform_), graph_.children(node, "children"));
+      break;
     case Role::group: visit_list(graph_.children(node, "children")); break;
     case Role::inlined: visit_inline(node); break;
     case Role::other: visit_other(node); break;
@@ -361,7 +365,7 @@ void SceneWalk::visit_other(NodeId node) {
   if (own_scene_of_ >= 0 && bind_in_own_scene(context_, node, transform_, own_scene_of_)) return;
   if (graph_.is(node, "X3DViewpointNode")) {
     visit_viewpoint(node);
-  } else if (graph_.is(node, "ViewpointGroup")) {
+  } else if (graph_.is(node, "ViewpointGroup") || graph_.is(node, "StaticGroup")) {  // no X3DGroupingNode, either of them
     visit_list(graph_.children(node, "children"));
   } else if (graph_.is(node, "ProximitySensor")) {
     context_.sensor_transforms.try_emplace(node, transform_);

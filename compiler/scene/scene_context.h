@@ -66,6 +66,9 @@ void read_texture_coordinates(SceneContext& context, SceneShape& shape);
 /// Fills what the Appearance says: material, textures, effects, shader, blending.
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape);
 
+/// A MatrixTransform where it stands, as a Transform that does the same.
+SceneTransform read_matrix_transform(SceneContext& context, NodeId node, int parent);
+
 /// Fills what the Appearance says of alpha, lines, points and the filling of faces.
 void read_style(SceneContext& context, NodeId appearance, SceneShape& shape);
 /// A ClipPlane where it stands; -1 for one that is off for good.

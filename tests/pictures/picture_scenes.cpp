@@ -32,6 +32,7 @@ constexpr std::array kGroups = {
     Group{"textures", "Textures"},
     Group{"lights", "Lights"},
     Group{"fog", "Fog"},
+    Group{"background", "Backgrounds"},
     Group{"groups", "Groups"},
     Group{"shaders", "Shaders"},
 };
@@ -95,7 +96,6 @@ constexpr std::string_view kExceptions[] = {
     "GeneratedCubeMapTexture",  // not drawn: one white texel
     // of the reference engine and of other viewers, not drawn
     "ImageBackground",
-    "MatrixTransform",
     "MultiGeneratedTextureCoordinate",
     "Plane",
     "Text3D",
