@@ -10,8 +10,8 @@
 #include <unordered_map>
 
 #include "compose/castle_names.h"
-#include "package/pack_attributes.h"
 #include "package/assemble_events.h"
+#include "package/pack_attributes.h"
 #include "package/pack_geometry.h"
 #include "package/pack_offscreen.h"
 #include "package/pack_program.h"

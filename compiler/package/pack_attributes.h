@@ -11,9 +11,10 @@
 namespace plugc {
 
 /// A program's vertex inputs. Those that only an author's mesh feeds get the places that nothing else of the program takes; one
-/// that finds none has unit 255 and is not fed. `over_screen`: what covers the picture has corners and texture coordinates, which go
-/// by the reference engine's names, too.
-std::vector<std::unique_ptr<PackedAttributeT>> pack_attributes(const std::vector<ReflectedVariable>& variables, bool over_screen);
+/// that finds none has unit 255 and is not fed. `over_screen`: what covers the picture has corners and texture coordinates,
+/// which go by the reference engine's names, too.
+std::vector<std::unique_ptr<PackedAttributeT>> pack_attributes(const std::vector<ReflectedVariable>& variables,
+                                                               bool over_screen);
 
 /// Adds them behind what a vertex has; offsets only, see write_mesh_attributes().
 void add_mesh_attributes(const Mesh& mesh, PackedMeshT& packed);

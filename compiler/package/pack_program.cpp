@@ -10,9 +10,9 @@
 #include "compose/castle_names.h"
 #include "compose/check_fields.h"
 #include "compose/sampler_type.h"
+#include "compose/screen_library.h"
 #include "package/pack_attributes.h"
 #include "package/pack_style.h"
-#include "compose/screen_library.h"
 #include "package/target_variables.h"
 
 namespace plugc {

@@ -11,7 +11,8 @@
 // - a binding feeds a sampler from a texture or a shadow map, and any other uniform from anything else;
 // - a mesh has its bounds, its streams lie within the stride and its indices within the vertices; pixels fill their image;
 // - a shape has a variant for every combination of its switches;
-// - an event node has the slots of its kind; both ends of a route hold as many numbers; routes are in order of where they start;
+// - an event node has the slots of its kind; both ends of a route hold as many numbers; routes are in order of where they
+// start;
 // - transforms come behind their parents; texels and vertices are aligned to 16 bytes, slot values to 8.
 // Numbers themselves (NaN, infinities, a singular scale) are not judged.
 

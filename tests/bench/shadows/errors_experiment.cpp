@@ -22,9 +22,8 @@ int shift_count(const Lab& lab, std::uint32_t size) {
 
 /// A point light has not every method: others are replaced, and the scene then says nothing about them.
 bool uses(const PackedScene& scene, const std::string& method) {
-  return std::ranges::any_of(*scene.shadow_maps(), [&](const PackedShadowMap* map) {
-    return EnumNamePackedShadowMethod(map->method()) == method;
-  });
+  return std::ranges::any_of(*scene.shadow_maps(),
+                             [&](const PackedShadowMap* map) { return EnumNamePackedShadowMethod(map->method()) == method; });
 }
 
 class ErrorTable {
