@@ -35,6 +35,7 @@ constexpr std::array kGroups = {
     Group{"background", "Backgrounds"},
     Group{"groups", "Groups"},
     Group{"shaders", "Shaders"},
+    Group{"offscreen", "Textures that are drawn, and effects on the whole picture"},
 };
 
 std::string second_line(const fs::path& scene) {
@@ -86,14 +87,9 @@ constexpr std::string_view kExceptions[] = {
     "ShaderProgram",  // shaders in languages that plugc does not compile
     "EnvironmentLight",
     "FontLibrary",
-    "InlineGeometry",     // of X3D 4.1, not drawn
-    "Tangent",            // tangents are computed
-    "TextureBackground",  // not drawn
-    "StaticGroup",
-    "ViewpointGroup",  // not drawn
-    "MovieTexture",
-    "RenderedTexture",
-    "GeneratedCubeMapTexture",  // not drawn: one white texel
+    "InlineGeometry",  // of X3D 4.1, not drawn
+    "Tangent",         // tangents are computed
+    "MovieTexture",    // shows a picture as ImageTexture does
     // of the reference engine and of other viewers, not drawn
     "ImageBackground",
     "MultiGeneratedTextureCoordinate",
