@@ -3,28 +3,10 @@
 
 #include "runtime/backdrop.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "runtime/gl/pass.h"
+#include "runtime/perspective.h"
 
 namespace plugc {
-namespace {
-
-constexpr double kDefaultFieldOfView = std::numbers::pi / 4;  // X3D 4.1, 23.4.6
-
-/// `field` is the smaller of both ways.
-glm::dmat4 perspective(double field, double aspect) {
-  constexpr double kNear = 0.1, kFar = 10;  // any will do
-  const double half_height = std::tan(field / 2) / std::min(aspect, 1.0);
-  const double half_width = half_height * aspect;
-  return glm::frustum(-kNear * half_width, kNear * half_width, -kNear * half_height, kNear * half_height, kNear, kFar);
-}
-
-}  // namespace
 
 glm::dmat4 rotation_of(const glm::dmat4& matrix) {
   return look_along(glm::dvec3(0), -glm::dvec3(matrix[2]), glm::dvec3(matrix[1])).eye_to_world;
@@ -34,7 +16,9 @@ View backdrop_view(const View& camera) {
   View view = camera;
   view.world_to_eye[3] = view.eye_to_world[3] = glm::dvec4(0, 0, 0, 1);
   const bool orthographic = camera.projection[3][3] == 1.0;
-  if (orthographic) view.projection = perspective(kDefaultFieldOfView, camera.projection[1][1] / camera.projection[0][0]);
+  if (!orthographic) return view;
+  constexpr double kNear = 0.1, kFar = 10;  // any will do
+  view.projection = perspective(kDefaultFieldOfView, camera.projection[1][1] / camera.projection[0][0], kNear, kFar);
   return view;
 }
 

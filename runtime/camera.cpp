@@ -10,13 +10,13 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "runtime/perspective.h"
 #include "runtime/world.h"
 
 namespace plugc {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kDefaultFieldOfView = kPi / 4;  // X3D 4.1, 23.4.6
 constexpr double kSmallestAngle = 1e-4;
 constexpr double kLargestAngle = kPi - 1e-3;
 constexpr double kNearestRatio = 1e-4;  // near / far when the eye stands inside of a box: leaves 10 of 24 bits to the far end
@@ -65,15 +65,12 @@ DepthRange depth_range(const World& world, const View& view) {
   return range;
 }
 
-glm::dmat4 perspective(const DepthRange& range, double angle, double aspect) {
-  double half_height = std::tan(angle / 2);
-  if (aspect < 1) half_height /= aspect;  // fieldOfView is the smaller of both ways
+glm::dmat4 fitted_perspective(const DepthRange& range, double field, double aspect) {
   const double far = range.high > 0 ? range.high * kMargin : 100.0;
   const double nearest = range.cut_by_eye ? 0.0 : std::min(range.nearest_in_front / kMargin, far);
   const double near = std::max(nearest, far * kNearestRatio);
   const double distance = std::max(far, near * kMargin);
-  return glm::frustum(-near * half_height * aspect, near * half_height * aspect, -near * half_height, near * half_height, near,
-                      distance);
+  return perspective(field, aspect, near, distance);
 }
 
 /// `field` is left, bottom, right, top; the shorter way is widened to the picture's shape (X3D 4.1, 23.4.5).
@@ -151,7 +148,7 @@ View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World
   view.projection =
       viewpoint.orthographic()
           ? orthographic(range, slots.vector4(viewpoint.field_of_view(), {-1, -1, 1, 1}), aspect)
-          : perspective(range, clamped_angle(slots.number(viewpoint.field_of_view(), kDefaultFieldOfView)), aspect);
+          : fitted_perspective(range, clamped_angle(slots.number(viewpoint.field_of_view(), kDefaultFieldOfView)), aspect);
   return view;
 }
 
@@ -163,7 +160,7 @@ std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted
 
 View view_of_world(const World& world, double aspect) {
   View view = view_of_whole(world.framed.empty() ? world.bounds : world.framed);
-  view.projection = perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
+  view.projection = fitted_perspective(depth_range(world, view), kDefaultFieldOfView, aspect);
   return view;
 }
 

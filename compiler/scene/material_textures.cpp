@@ -58,6 +58,7 @@ void read_material_textures(SceneContext& context, NodeId material, NodeId trans
     const bool mapped = graph.has_field(material, field.mapping);
     const int unit = coordinate_unit(graph, shape.geometry, mapped ? graph.string(material, field.mapping) : "");
     shape.textures.push_back({.texture = texture,
+                              .combination = {},
                               .transform = unit_transform(context, transform, static_cast<std::size_t>(unit)),
                               .unit = unit,
                               .role = field.role});
@@ -71,7 +72,7 @@ void read_normal_map(SceneContext& context, NodeId appearance, SceneShape& shape
   const int texture = is_bent ? -1 : texture_index(context, node);
   if (texture < 0 || !is_picture(context, node, texture, "normalMap")) return;
   const int transform = unit_transform(context, context.graph.child(appearance, "textureTransform"), 0);
-  shape.textures.push_back({.texture = texture, .transform = transform, .role = TextureRole::normal});
+  shape.textures.push_back({.texture = texture, .combination = {}, .transform = transform, .role = TextureRole::normal});
 }
 
 }  // namespace plugc

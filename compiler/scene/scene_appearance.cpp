@@ -222,6 +222,15 @@ int back_material_index(SceneContext& context, NodeId appearance, NodeId materia
   return -1;
 }
 
+int shader_index(SceneContext& context, NodeId node) {
+  if (!context.graph.is(node, "ComposedShader")) return -1;
+  if (const auto found = context.shaders.find(node); found != context.shaders.end()) return found->second;
+  int& index = context.shaders[node] = -1;
+  if (!is_glsl(context, node, "a shader")) return -1;
+  context.scene.shaders.push_back(read_shader_node(context, node));
+  return index = static_cast<int>(context.scene.shaders.size() - 1);
+}
+
 }  // namespace
 
 std::string node_label(const NodeGraph& graph, NodeId node) {
@@ -252,13 +261,11 @@ std::vector<int> effect_list(SceneContext& context, NodeId owner) {
   return list;
 }
 
-int shader_index(SceneContext& context, NodeId node) {
-  if (!context.graph.is(node, "ComposedShader")) return -1;
-  if (const auto found = context.shaders.find(node); found != context.shaders.end()) return found->second;
-  int& index = context.shaders[node] = -1;
-  if (!is_glsl(context, node, "a shader")) return -1;
-  context.scene.shaders.push_back(read_shader_node(context, node));
-  return index = static_cast<int>(context.scene.shaders.size() - 1);
+int usable_shader(SceneContext& context, NodeId owner) {
+  for (const NodeId shader : context.graph.children(owner, "shaders")) {
+    if (const int index = shader_index(context, shader); index >= 0) return index;
+  }
+  return -1;
 }
 
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape) {
@@ -274,10 +281,7 @@ void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape
   read_material_textures(context, material, graph.child(appearance, "textureTransform"), shape);
   read_normal_map(context, appearance, shape);
   shape.effects = effect_list(context, appearance);
-  for (const NodeId shader : graph.children(appearance, "shaders")) {
-    shape.shader = shader_index(context, shader);
-    if (shape.shader >= 0) break;  // the first that can be used counts (X3D 4.1, 31.4.1)
-  }
+  shape.shader = usable_shader(context, appearance);
   shape.casts_shadow = graph.boolean(appearance, "shadowCaster");
   if (const NodeId blend = graph.child(appearance, "blendMode"); graph.is(blend, "BlendMode")) {
     shape.has_blend_mode = true;

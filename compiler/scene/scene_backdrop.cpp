@@ -88,10 +88,7 @@ void read_side_textures(SceneContext& context, const Side& side, SceneShape& sha
 /// The engine whose extension they are gives a Background's effects and shaders to its pictures alone.
 void read_side_shaders(SceneContext& context, SceneShape& shape) {
   shape.effects = effect_list(context, shape.node);
-  for (const NodeId shader : context.graph.children(shape.node, "shaders")) {
-    shape.shader = shader_index(context, shader);
-    if (shape.shader >= 0) break;
-  }
+  shape.shader = usable_shader(context, shape.node);
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ std::string node_label(const NodeGraph& graph, NodeId node);
 int effect_index(SceneContext& context, NodeId effect);
 /// The `effects` field of an Appearance, a light or a texture.
 std::vector<int> effect_list(SceneContext& context, NodeId owner);
-int shader_index(SceneContext& context, NodeId shader);
+/// Of the node's `shaders`, the first that can be used (X3D 4.1, 31.4.1); -1: none.
+int usable_shader(SceneContext& context, NodeId owner);
 /// A texture that a sampler reads or that is code; -1 for NULL, MultiTexture and what is no texture (reported).
 int texture_index(SceneContext& context, NodeId texture);
 /// The transform of a unit's coordinates: a single one serves the first unit, MultiTextureTransform each its own; -1 for none.

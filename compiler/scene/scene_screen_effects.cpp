@@ -14,10 +14,7 @@ void add_screen_effect(SceneContext& context, NodeId node, int transform) {
   SceneScreenEffect effect;
   effect.node = node;
   effect.transform = transform;
-  for (const NodeId shader : graph.children(node, "shaders")) {
-    effect.shader = shader_index(context, shader);
-    if (effect.shader >= 0) break;  // the first that can be used counts, as in Appearance
-  }
+  effect.shader = usable_shader(context, node);
   if (effect.shader < 0) {
     context.diagnostics.report(DiagnosticId::not_drawn, graph[node].type_span,
                                "this `ScreenEffect` has no `ComposedShader` that can be used, so it changes nothing");
