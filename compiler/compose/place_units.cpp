@@ -12,6 +12,7 @@
 #include "compose/geometry_stage.h"
 #include "compose/placed_unit.h"
 #include "compose/screen_library.h"
+#include "compose/shading_features.h"
 #include "compose/shadow_units.h"
 #include "compose/style_features.h"
 #include "compose/texture_features.h"
@@ -50,15 +51,12 @@ class Placer {
   void place_style();
   bool base_has_marker(std::string_view name) const;
   bool authors_use(std::string_view castle_name) const { return used_names_.contains(castle_name); }
-  bool any_fills(std::string_view plug) const;
-  Features base_features() const;
-  Features light_features(const LightRecipe& light) const;
 
   Composition& c_;
   const Recipe& recipe_;
   ShaderStage lighting_;
-  std::set<std::string_view> used_names_;  // castle_ names in the code of effects and of the ComposedShader
-  bool base_adds_lights_ = false;          // the base shader has the plug `add_light`, not only its older form
+  UsedNames used_names_;
+  bool base_adds_lights_ = false;  // the base shader has the plug `add_light`, not only its older form
 };
 
 /// Of the code that can come to stand in the program.
@@ -102,60 +100,6 @@ void Placer::add_template(std::string_view name, ShaderStage stage, const Featur
   c_.units.back().guards = guards(scope);
 }
 
-Features Placer::base_features() const {
-  Features features;
-  // a normal map says all of the normal itself
-  const bool bent = std::ranges::find(recipe_.textures, TextureRole::normal, &TextureRecipe::role) != recipe_.textures.end();
-  const bool smooth = recipe_.normals && !recipe_.gouraud && !recipe_.depth_only && !bent;
-  const std::pair<bool, std::string_view> all[] = {
-      {recipe_.lit && !recipe_.physical, "LIT"},
-      {recipe_.physical, "PHYSICAL"},
-      {recipe_.physical && recipe_.vertex_eye, "VIEW"},
-      {!recipe_.lit, "UNLIT"},
-      {recipe_.normals, "NORMALS"},
-      {recipe_.two_sided, "TWO_SIDED"},
-      {recipe_.back_material, "BACK_MATERIAL"},
-      {recipe_.color_per_vertex, "COLOR_PER_VERTEX"},
-      {recipe_.vertex_eye || ((recipe_.depth_only || recipe_.shader >= 0) && authors_use("castle_vertex_eye")), "VERTEX_EYE"},
-      {recipe_.ambient, "AMBIENT"},
-      {recipe_.specular, "SPECULAR"},
-      {recipe_.emissive, "EMISSIVE"},
-      {smooth || authors_use("castle_normal_eye"), "NORMAL_EYE"}};
-  for (const auto& [set, name] : all) {
-    if (set) features.insert(name);
-  }
-  return features;
-}
-
-/// Some effect of the recipe, or its ComposedShader.
-bool Placer::any_fills(std::string_view plug) const {
-  const std::vector<int> effects = all_effects(recipe_);
-  const bool by_shader = recipe_.shader >= 0 && c_.input.shaders[static_cast<std::size_t>(recipe_.shader)].fills(plug);
-  return by_shader || std::ranges::any_of(
-                          effects, [&](int effect) { return c_.input.effects[static_cast<std::size_t>(effect)].fills(plug); });
-}
-
-Features Placer::light_features(const LightRecipe& light) const {
-  Features features;
-  const std::pair<bool, std::string_view> all[] = {{light.kind != LightKind::directional, "POSITIONAL"},
-                                                   {light.kind == LightKind::spot, "SPOT"},
-                                                   {light.ambient, "LIGHT_AMBIENT"},
-                                                   {light.attenuation, "ATTENUATION"},
-                                                   {light.radius, "RADIUS"},
-                                                   {light.beam_width, "BEAM_WIDTH"},
-                                                   {recipe_.physical, "PHYSICAL"},
-                                                   {!recipe_.physical, "PHONG"},
-                                                   {recipe_.specular, "SPECULAR"},
-                                                   {!base_adds_lights_, "AS_CONTRIBUTION"},
-                                                   {any_fills("material_light_diffuse"), "WIDE_DIFFUSE"},
-                                                   {any_fills("material_light_ambient"), "WIDE_AMBIENT"},
-                                                   {any_fills("material_light_specular"), "WIDE_SPECULAR"}};
-  for (const auto& [set, name] : all) {
-    if (set) features.insert(name);
-  }
-  return features;
-}
-
 bool Placer::base_has_marker(std::string_view name) const {
   return std::any_of(c_.units.begin(), c_.units.end(), [&](const PlacedUnit& unit) {
     const auto& markers = unit.code->outline.markers;
@@ -184,7 +128,7 @@ bool Placer::place_shader() {
   if (of_screen)
     place_screen(screen_features(code, recipe_.screen_pass, c_.target), own_vertex_stage);
   else if (!own_vertex_stage)
-    add_template("phong.vert", ShaderStage::vertex, base_features(), {});
+    add_template("phong.vert", ShaderStage::vertex, base_features(recipe_, used_names_), {});
   c_.owners.push_back({OwnerKind::shader, recipe_.shader, {}, {}});
   place_code(code, c_.owners.size() - 1, {});
   return true;
@@ -210,11 +154,11 @@ void Placer::place_base() {
   } else if (recipe_.screen_pass != ScreenPass::none) {
     if (!place_shader()) place_screen({"COLOR", "F_GET_ORIGINAL_COLOR", "PLAIN"}, false);  // what is drawn stays
   } else if (recipe_.depth_only) {
-    add_template("depth.vert", ShaderStage::vertex, base_features(), {});
+    add_template("depth.vert", ShaderStage::vertex, base_features(recipe_, used_names_), {});
     const bool has_end = recipe_.of_point_light || recipe_.clip_planes > 0;
     add_template("depth.frag", ShaderStage::fragment, has_end ? Features{"FRAGMENT_END"} : Features{}, {});
   } else if (!place_shader()) {
-    const Features features = base_features();
+    const Features features = base_features(recipe_, used_names_);
     add_template(recipe_.gouraud ? "gouraud.vert" : "phong.vert", ShaderStage::vertex, features, {});
     add_template(recipe_.gouraud ? "gouraud.frag" : "phong.frag", ShaderStage::fragment, features, {});
   }
@@ -224,7 +168,7 @@ void Placer::place_light(int number) {
   const LightRecipe& light = recipe_.lights[static_cast<std::size_t>(number)];
   if (light.off) return;
   const PlugScope scope{ScopeKind::light, number};
-  add_template("light.glsl", lighting_, light_features(light), scope);
+  add_template("light.glsl", lighting_, light_features(c_, light, base_adds_lights_), scope);
   if (!light.shadow || light.shadow_method == ShadowMethod::traced) return;
   add_template("shadow.vert", ShaderStage::vertex, keeps_moments(light.shadow_method) ? Features{"MOMENTS"} : Features{},
                scope);
