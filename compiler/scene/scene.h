@@ -3,6 +3,7 @@
 // of transforms. Everything that a ROUTE or a host may change is a slot; everything else refers to slots by number.
 // Plain data: indices into the lists of one Scene, -1 for none.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -86,7 +87,7 @@ using SceneShader = SceneEffect;
 
 /// What reads a texture in GLSL: a sampler of that kind. A ShaderTexture is code alone and has none.
 enum class TextureKind : std::uint8_t { image_2d, image_3d, cube, shadow_2d, shader, shadow_cube };
-enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
+enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat, clamp_to_border };
 
 enum class TextureFilter : std::uint8_t { nearest, linear, linear_mipmap_linear, nearest_mipmap_nearest };
 
@@ -108,8 +109,9 @@ struct SceneTexture {
   bool moments = false;                          ///< Of the same: the moments of depth, as a picture.
   DepthCompare compare = DepthCompare::less_equal;
   std::vector<int> effects;
-  int rendered = -1;                   ///< Into rendered_textures: the renderer draws it.
-  std::string_view url_field = "url";  ///< Of the node: where its file is named. A Background has one for each side.
+  int rendered = -1;                     ///< Into rendered_textures: the renderer draws it.
+  std::string_view url_field = "url";    ///< Of the node: where its file is named. A Background has one for each side.
+  std::array<double, 4> border_color{};  ///< Beyond the edges of one that is clamped to its border: RGBA.
 };
 
 /// Texture coordinates of one unit: X3D 4.1 clauses 18.4.8 and 33.4. Slots; `matrix` stands for all others.
@@ -166,7 +168,8 @@ enum class CoordGenerator : std::uint8_t {
   world_space_reflection,
   projection,
   noise,
-  noise_eye
+  noise_eye,
+  mirror_plane  ///< Where the vertex is in a picture that the shape, as a flat mirror, shows the viewer.
 };
 
 /// What a material does with a texture (X3D 4.1, 12.4). The main ones make the diffuse, base or emissive colour; each other
@@ -241,13 +244,14 @@ struct SceneMaterial {
   std::uint32_t specular = kSceneNoSlot, emissive = kSceneNoSlot, shininess = kSceneNoSlot, transparency = kSceneNoSlot;
 };
 
-/// X3D 4.1, clause 24: how colours change into the fog's with their distance.
-enum class FogKind : std::uint8_t { none, linear, exponential };
+/// X3D 4.1, clause 24: how colours change into the fog's with their distance. `either`: as the fog's slot says.
+enum class FogKind : std::uint8_t { none, linear, exponential, either };
 
 struct SceneFog {
   FogKind kind = FogKind::linear;
   int transform = -1;  ///< In whose units the visibility range is.
   std::uint32_t color = kSceneNoSlot, visibility_range = kSceneNoSlot;
+  std::uint32_t exponential = kSceneNoSlot;  ///< Of `either`: not 0 for an exponential one.
 };
 
 enum class BlendFactor : std::uint8_t {
@@ -351,6 +355,11 @@ struct SceneProjector {
 /// What a rendered texture holds: colours, the depths of a view as grey, or what is seen all around a shape.
 enum class RenderedKind : std::uint8_t { color, depth, cube };
 
+/// While a rendered texture is drawn, the slot `to` holds what `from` holds.
+struct SlotLoan {
+  std::uint32_t from = kSceneNoSlot, to = kSceneNoSlot;
+};
+
 /// A RenderedTexture or GeneratedCubeMapTexture; fields as PackedRenderedTexture has them.
 struct SceneRenderedTexture {
   NodeId node;
@@ -360,7 +369,12 @@ struct SceneRenderedTexture {
   int viewpoint = -1;  ///< Into projectors.
   bool own_scene = false;
   std::uint32_t background_color = kSceneNoSlot;
-  std::vector<std::uint32_t> rendering_slots;  ///< That ROUTEs from its `rendering` write.
+  std::vector<std::uint32_t> rendering_slots;                  ///< That ROUTEs from its `rendering` write.
+  std::vector<std::uint32_t> viewing_slots, projection_slots;  ///< Likewise.
+  bool in_mirror = false;                            ///< Seen from the viewer's place behind the shape, as in a mirror.
+  std::uint32_t distance_from_shape = kSceneNoSlot;  ///< Of such a one: what is nearer to the mirror is not seen.
+  bool own_backdrop = false;    ///< Around it are the backdrop shapes whose `own_scene_of` it is, not the world's.
+  std::vector<SlotLoan> loans;  ///< Its own fog, in place of the world's.
 };
 
 /// A ScreenEffect with the shader that it uses.
