@@ -16,6 +16,7 @@
 #include "scene/node_graph.h"
 #include "scene/shadow_choice.h"
 #include "scene/shadow_method.h"
+#include "scene/vertex_field.h"
 
 namespace plugc {
 
@@ -244,7 +245,7 @@ struct SceneMaterial {
   std::uint32_t specular = kSceneNoSlot, emissive = kSceneNoSlot, shininess = kSceneNoSlot, transparency = kSceneNoSlot;
 };
 
-/// X3D 4.1, clause 24: how colours change into the fog's with their distance. `either`: as the fog's slot says.
+/// X3D 4.1, clause 24: how colours change into the fog's with their distance. `either`: as the bound one of several, or the fog's slot, says.
 enum class FogKind : std::uint8_t { none, linear, exponential, either };
 
 struct SceneFog {
@@ -308,6 +309,9 @@ struct ReceivedShadow {
   DepthCompare compare = DepthCompare::less_equal;
 };
 
+/// In place of the index of a fog.
+inline constexpr int kChangingFog = -3;
+
 /// What a shape is part of. The backdrop is all parts of the bound Background but `world`: the gradients of sky and ground, and
 /// the sides of a cube with a picture each, seen from within (X3D 4.1, 24.2.1).
 enum class ScenePart : std::uint8_t { world, gradient, back, bottom, front, left, right, top };
@@ -324,7 +328,7 @@ struct SceneShape {
   std::vector<ReceivedShadow> receives;                                  ///< At most one a light.
   std::vector<int> effects;  ///< Of the Appearance, then of the groups from the outermost in.
   int shader = -1;           ///< A ComposedShader.
-  int fog = -1;
+  int fog = -1;              ///< kChangingFog: the one of Scene::bindable_fogs that is bound.
   Shading shading = Shading::phong;
   bool casts_shadow = true;
   bool has_blend_mode = false;
@@ -332,6 +336,7 @@ struct SceneShape {
   std::optional<Box> bounds;          ///< bboxSize and bboxCenter, where they are written.
   int own_scene_of = -1;              ///< It stands in the scene that this rendered texture has of its own; -1: in the world.
   ScenePart part = ScenePart::world;  ///< Of the backdrop: `node` and `geometry` are the Background.
+  int background = -1;                ///< Of the backdrop, where another may be bound: the number of its Background.
   AlphaMode alpha_mode = AlphaMode::automatic;
   std::uint32_t alpha_cutoff = kSceneNoSlot;
   std::vector<int> clip_planes;  ///< From the outermost in.
@@ -404,15 +409,17 @@ enum class EventKind : std::uint8_t {
   boolean_toggle,
   boolean_trigger,
   integer_trigger,
-  time_trigger
+  time_trigger,
+  bind_stack,
+  choose
 };
 
-/// A node whose events reach something that is drawn.
+/// A node whose events reach something that is drawn, or one of the renderer's own that says what is bound.
 struct SceneEventNode {
   EventKind kind = EventKind::time_sensor;
-  NodeId node;
+  NodeId node;                                 ///< Not valid for one of the renderer's own.
   std::vector<std::uint32_t> inputs, outputs;  ///< Slots; none where nothing of the scene is different from the default.
-  int subject = -1;                            ///< The transform of a proximity sensor, the viewpoint of a camera.
+  int subject = -1;  ///< The transform of a proximity sensor, the viewpoint of a camera, the first that a stack binds.
 };
 
 /// An event at the slot `from` is one at `to`.
@@ -443,6 +450,10 @@ struct Scene {
   std::vector<SceneEventNode> event_nodes;              ///< In the order in which they are evaluated.
   std::vector<SceneRoute> routes;                       ///< In order.
   std::vector<std::string> known_dynamic;               ///< Of SceneOptions::dynamic: what names a node of this scene.
+  std::vector<VertexField> vertex_fields;               ///< In order.
+  /// What is bound now, where events may change that; as PackedScene has them.
+  std::uint32_t bound_viewpoint_now = kSceneNoSlot, bound_background = kSceneNoSlot, bound_fog = kSceneNoSlot;
+  std::vector<int> bindable_fogs;  ///< Into fogs; -1: one that lets everything through.
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };

@@ -1,0 +1,16 @@
+// Fields are in order of their nodes; a node has one or two.
+
+#include "scene/vertex_field.h"
+
+#include <algorithm>
+
+namespace plugc {
+
+std::optional<std::uint32_t> vertex_slot(std::span<const VertexField> fields, NodeId node, std::string_view field) {
+  for (auto at = std::ranges::lower_bound(fields, node, {}, &VertexField::node); at != fields.end() && at->node == node; ++at) {
+    if (at->field == field) return at->slot;
+  }
+  return std::nullopt;
+}
+
+}  // namespace plugc
