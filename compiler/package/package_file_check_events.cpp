@@ -30,6 +30,7 @@ Arity arity_of(PackedEventKind kind) {
     case PackedEventKind::integer_trigger: return {2, 1};
     case PackedEventKind::boolean_trigger:
     case PackedEventKind::time_trigger: return {1, 1};
+    case PackedEventKind::script: return {};
   }
   return {};
 }

@@ -15,6 +15,7 @@
 #include "scene/node_graph.h"
 #include "scene/shadow_choice.h"
 #include "scene/shadow_method.h"
+#include "script/script.h"
 
 namespace plugc {
 
@@ -340,6 +341,7 @@ struct SceneViewpoint {
   int transform = -1;
   bool orthographic = false;
   std::uint32_t position = kSceneNoSlot, orientation = kSceneNoSlot, field_of_view = kSceneNoSlot;
+  std::uint32_t direction = kSceneNoSlot, up = kSceneNoSlot;  ///< In place of the orientation, where direction is not 0.
 };
 
 /// What projects texture coordinates: a viewpoint, which need not stand among those to look through, or a light.
@@ -390,7 +392,8 @@ enum class EventKind : std::uint8_t {
   boolean_toggle,
   boolean_trigger,
   integer_trigger,
-  time_trigger
+  time_trigger,
+  script
 };
 
 /// A node whose events reach something that is drawn.
@@ -399,6 +402,7 @@ struct SceneEventNode {
   NodeId node;
   std::vector<std::uint32_t> inputs, outputs;  ///< Slots; none where nothing of the scene is different from the default.
   int subject = -1;                            ///< The transform of a proximity sensor, the viewpoint of a camera.
+  std::optional<ScriptProgram> script;         ///< Of a Script, whose inputs and outputs are its fields in order.
 };
 
 /// An event at the slot `from` is one at `to`.
