@@ -31,7 +31,8 @@ Arity arity_of(PackedEventKind kind) {
     case PackedEventKind::boolean_trigger:
     case PackedEventKind::time_trigger: return {1, 1};
     case PackedEventKind::bind_stack:
-    case PackedEventKind::choose: break;
+    case PackedEventKind::choose:
+    case PackedEventKind::script: return {};
   }
   return {};
 }

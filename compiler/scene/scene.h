@@ -17,6 +17,7 @@
 #include "scene/shadow_choice.h"
 #include "scene/shadow_method.h"
 #include "scene/vertex_field.h"
+#include "script/script.h"
 
 namespace plugc {
 
@@ -349,6 +350,7 @@ struct SceneViewpoint {
   int transform = -1;
   bool orthographic = false;
   std::uint32_t position = kSceneNoSlot, orientation = kSceneNoSlot, field_of_view = kSceneNoSlot;
+  std::uint32_t direction = kSceneNoSlot, up = kSceneNoSlot;  ///< In place of the orientation, where direction is not 0.
 };
 
 /// What projects texture coordinates: a viewpoint, which need not stand among those to look through, or a light.
@@ -411,7 +413,8 @@ enum class EventKind : std::uint8_t {
   integer_trigger,
   time_trigger,
   bind_stack,
-  choose
+  choose,
+  script
 };
 
 /// A node whose events reach something that is drawn, or one of the renderer's own that says what is bound.
@@ -420,6 +423,7 @@ struct SceneEventNode {
   NodeId node;                                 ///< Not valid for one of the renderer's own.
   std::vector<std::uint32_t> inputs, outputs;  ///< Slots; none where nothing of the scene is different from the default.
   int subject = -1;  ///< The transform of a proximity sensor, the viewpoint of a camera, the first that a stack binds.
+  std::optional<ScriptProgram> script;         ///< Of a Script, whose inputs and outputs are its fields in order.
 };
 
 /// An event at the slot `from` is one at `to`.
