@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/box.h"
+#include "base/face_normals.h"
 #include "package/package_file.h"
 #include "runtime/events.h"
 
@@ -15,15 +16,18 @@ namespace plugc {
 struct LiveMesh {
   const PackedLiveMesh* packed = nullptr;
   const PackedMesh* mesh = nullptr;
-  std::vector<std::uint8_t> vertices;      ///< As the package lays them out.
-  Box bounds;                              ///< Object space.
-  std::vector<std::vector<double>> taken;  ///< By feed: what its slot held.
-  bool written = false;                    ///< Since somebody last asked: see take_written().
+  std::vector<std::uint8_t> vertices;        ///< As the package lays them out.
+  Box bounds;                                ///< Object space.
+  std::vector<std::vector<double>> taken;    ///< By feed: what its slot held.
+  std::vector<std::uint32_t> corner_points;  ///< Of made normals: by corner, the first vertex in its place.
+  CornersAtPoints corners_at;                ///< The same, by that vertex.
+  std::uint32_t version = 0;                 ///< Grows with each change.
 };
 
 /// Those of a scene, in the order of their meshes.
 struct LiveMeshes {
   std::vector<LiveMesh> list;
+  std::uint64_t revision = 0;  ///< Of the slots that they were brought up to date with.
 
   /// Null for a mesh that nothing changes.
   const LiveMesh* find(std::uint32_t mesh) const;
@@ -32,8 +36,8 @@ struct LiveMeshes {
 /// With the vertices that the package has.
 LiveMeshes make_live_meshes(const Package& package, const PackedScene& scene);
 
-/// Brings all up to date with their slots.
-void update_live_meshes(LiveMeshes& meshes, const Slots& slots);
+/// Brings all up to date with their slots. True where a position has changed.
+bool update_live_meshes(LiveMeshes& meshes, const Slots& slots);
 
 /// The bytes of a mesh's vertices, live or as the package has them.
 std::span<const std::uint8_t> vertex_bytes(const PackedMesh& mesh, const LiveMesh* live);

@@ -74,10 +74,6 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::screen_height:
     case PackedSource::target_size:
     case PackedSource::mirror_projector_matrix: return true;
-    case PackedSource::bound_fog_color:
-    case PackedSource::bound_fog_visibility_range:
-    case PackedSource::bound_fog_exponential:
-      return scene.scene.bound_fog() != kNoSlot || check.fail(place, "the scene binds no fog");
   }
   return check.fail(place, "its source is unknown");
 }

@@ -246,7 +246,7 @@ struct SceneMaterial {
   std::uint32_t specular = kSceneNoSlot, emissive = kSceneNoSlot, shininess = kSceneNoSlot, transparency = kSceneNoSlot;
 };
 
-/// X3D 4.1, clause 24: how colours change into the fog's with their distance. `either`: as the bound one of several, or the fog's slot, says.
+/// X3D 4.1, clause 24: how colours change into the fog's with their distance. `either`: as a slot of the fog says.
 enum class FogKind : std::uint8_t { none, linear, exponential, either };
 
 struct SceneFog {
@@ -310,9 +310,6 @@ struct ReceivedShadow {
   DepthCompare compare = DepthCompare::less_equal;
 };
 
-/// In place of the index of a fog.
-inline constexpr int kChangingFog = -3;
-
 /// What a shape is part of. The backdrop is all parts of the bound Background but `world`: the gradients of sky and ground, and
 /// the sides of a cube with a picture each, seen from within (X3D 4.1, 24.2.1).
 enum class ScenePart : std::uint8_t { world, gradient, back, bottom, front, left, right, top };
@@ -329,7 +326,7 @@ struct SceneShape {
   std::vector<ReceivedShadow> receives;                                  ///< At most one a light.
   std::vector<int> effects;  ///< Of the Appearance, then of the groups from the outermost in.
   int shader = -1;           ///< A ComposedShader.
-  int fog = -1;              ///< kChangingFog: the one of Scene::bindable_fogs that is bound.
+  int fog = -1;
   Shading shading = Shading::phong;
   bool casts_shadow = true;
   bool has_blend_mode = false;
@@ -423,7 +420,7 @@ struct SceneEventNode {
   NodeId node;                                 ///< Not valid for one of the renderer's own.
   std::vector<std::uint32_t> inputs, outputs;  ///< Slots; none where nothing of the scene is different from the default.
   int subject = -1;  ///< The transform of a proximity sensor, the viewpoint of a camera, the first that a stack binds.
-  std::optional<ScriptProgram> script;         ///< Of a Script, whose inputs and outputs are its fields in order.
+  std::optional<ScriptProgram> script;  ///< Of a Script, whose inputs and outputs are its fields in order.
 };
 
 /// An event at the slot `from` is one at `to`.
@@ -456,8 +453,7 @@ struct Scene {
   std::vector<std::string> known_dynamic;               ///< Of SceneOptions::dynamic: what names a node of this scene.
   std::vector<VertexField> vertex_fields;               ///< In order.
   /// What is bound now, where events may change that; as PackedScene has them.
-  std::uint32_t bound_viewpoint_now = kSceneNoSlot, bound_background = kSceneNoSlot, bound_fog = kSceneNoSlot;
-  std::vector<int> bindable_fogs;  ///< Into fogs; -1: one that lets everything through.
+  std::uint32_t bound_viewpoint_now = kSceneNoSlot, bound_background = kSceneNoSlot;
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };

@@ -6,11 +6,11 @@
 
 namespace plugc {
 
-std::optional<std::uint32_t> vertex_slot(std::span<const VertexField> fields, NodeId node, std::string_view field) {
+const VertexField* find_vertex_field(std::span<const VertexField> fields, NodeId node, std::string_view field) {
   for (auto at = std::ranges::lower_bound(fields, node, {}, &VertexField::node); at != fields.end() && at->node == node; ++at) {
-    if (at->field == field) return at->slot;
+    if (at->field == field) return &*at;
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 }  // namespace plugc

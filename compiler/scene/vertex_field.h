@@ -2,7 +2,6 @@
 // Lists of a geometry's that events change while the scene is drawn.
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -15,9 +14,10 @@ struct VertexField {
   NodeId node;
   std::string_view field;
   std::uint32_t slot = 0;
+  std::span<const double> start;  ///< What it holds at first: as written, or, where nothing is, what the first key will send.
 };
 
-/// The slot of that field; none for one that nothing changes.
-std::optional<std::uint32_t> vertex_slot(std::span<const VertexField> fields, NodeId node, std::string_view field);
+/// The field with its slot; null for one that nothing changes.
+const VertexField* find_vertex_field(std::span<const VertexField> fields, NodeId node, std::string_view field);
 
 }  // namespace plugc
