@@ -32,8 +32,7 @@ SceneView picture_view(Frame& frame, const FrameTarget& target) {
 FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const FrameOptions& options,
                            Messages& messages) {
   Frame frame{gl, scene, messages, options};
-  reach_time(scene, options.time, bound_viewpoint(*scene.packed, scene.slots, options.viewpoint),
-             [&] { return look(frame, target); });
+  reach_time(scene, options.time, options.viewpoint, [&] { return look(frame, target); });
   if (!scene.rendered_textures.empty()) {
     frame.viewer = picture_view(frame, target).camera;
     draw_rendered_textures(frame);

@@ -57,6 +57,11 @@ bool is_on(const PackedSwitch& one, const PackedScene& scene, const Slots& slots
   return light_shines(*scene.lights()->Get(one.index()), slots, world);
 }
 
+/// What is no part of a backdrop, or of the one that is bound.
+bool is_bound(const PackedShape& shape, const PackedScene& scene, const Slots& slots) {
+  return shape.background() < 0 || slots.number(scene.bound_background(), -1) == static_cast<double>(shape.background());
+}
+
 /// Neither its ambient nor its direct term adds anything.
 bool is_black(const PackedLight& light, const Slots& slots) {
   if (slots.vector3(light.color(), glm::dvec3(1)) == glm::dvec3(0)) return true;
@@ -144,7 +149,7 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
     const PlacedTransform& placed = world.at(shape->transform());
     const bool in_world = shape->layer() == PackedLayer::world;
     const bool chosen = placed.visible || !in_world;  // what is bound shows wherever it stands
-    const bool visible = chosen && shape->own_scene_of() == own_scene_of;
+    const bool visible = chosen && is_bound(*shape, scene, slots) && shape->own_scene_of() == own_scene_of;
     const bool has_place = visible && in_world;
     const Box own = has_place ? object_bounds(package, *shape, live == nullptr ? nullptr : live->find(shape->mesh())) : Box{};
     world.object_bounds.push_back(own);

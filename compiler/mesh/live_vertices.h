@@ -1,12 +1,15 @@
 #pragma once
 // What of a mesh's vertices events change while the scene is drawn: which list each takes its numbers from, and what is made
-// of the positions anew.
+// of the positions anew. PackedLiveMesh has the same.
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "mesh/geometry.h"
 #include "scene/scene.h"
 
 namespace plugc {
@@ -15,11 +18,12 @@ enum class VertexPart : std::uint8_t { position, normal, color, tex_coord, fog_c
 
 inline constexpr std::uint32_t kKeepsItsOwn = UINT32_MAX;  ///< In place of an element.
 
-/// Vertex v takes element `elements[v]` of a list.
+/// Vertex v takes element `elements[v]`, of `width` numbers, of a list.
 struct VertexFeed {
   VertexPart part = VertexPart::position;
   unsigned number = 0;  ///< Of a texture coordinate: its unit; of an attribute: its place in the mesh's list.
   std::uint32_t slot = kSceneNoSlot;
+  std::uint32_t width = 3;
   std::vector<std::uint32_t> elements;
 };
 
@@ -37,5 +41,36 @@ struct LiveVertices {
   std::vector<VertexCoord> box_coords;  ///< By unit: what is laid over the box of the positions; `own`: nothing.
   int tangent_unit = -1;                ///< Along whose texture coordinates tangents run; -1: they stay, or there are none.
 };
+
+/// Whether events move the mesh's vertices.
+bool positions_move(const Mesh& mesh);
+/// Numbers a vertex that events feed texture coordinate `unit` with; 0: none.
+std::uint32_t fed_width(const Mesh& mesh, unsigned unit);
+
+/// A list of a geometry's as its slot holds it.
+struct ListSlot {
+  std::uint32_t slot = kSceneNoSlot;  ///< None: nothing changes the list.
+  std::uint32_t width = 3;            ///< Numbers an element.
+  std::uint32_t count = 0;            ///< Elements.
+
+  bool changes() const { return slot != kSceneNoSlot; }
+};
+
+/// Those of one geometry that events change.
+struct ListSlots {
+  ListSlot coord, normal, color, fog_coord;
+  std::vector<ListSlot> tex_units;                                ///< As read_tex_units().
+  std::vector<std::pair<std::string_view, ListSlot>> attributes;  ///< By name.
+
+  bool any() const;
+};
+ListSlots read_list_slots(const GeometrySource& source);
+
+/// Where a vertex stands in each of the lists.
+struct VertexPlaces {
+  std::uint32_t coord = 0, normal = 0, color = 0, tex = 0;
+};
+/// The feeds of a mesh that has these vertices.
+std::vector<VertexFeed> make_feeds(const ListSlots& slots, const Mesh& mesh, std::span<const VertexPlaces> vertices);
 
 }  // namespace plugc

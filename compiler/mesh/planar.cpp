@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "mesh/box_texture.h"
+#include "base/box_texture.h"
 #include "mesh/geometry.h"
 
 namespace plugc {

@@ -1,4 +1,4 @@
-// Fields are in order of their nodes; a node has one or two.
+// Fields are in order of their nodes; a node has few.
 
 #include "scene/vertex_field.h"
 
