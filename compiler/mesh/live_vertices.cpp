@@ -3,6 +3,7 @@
 #include "mesh/live_vertices.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace plugc {
 namespace {
@@ -66,6 +67,22 @@ class FeedMaker {
 };
 
 }  // namespace
+
+std::span<const double> list_numbers(const GeometrySource& source, NodeId node, std::string_view field) {
+  const VertexField* const changing = find_vertex_field(source.changing, node, field);
+  return changing != nullptr ? changing->start : source.graph.field(node, field).numbers;
+}
+
+std::shared_ptr<const LiveVertices> make_live_points(const GeometrySource& source, std::string_view field,
+                                                     std::size_t vertex_count) {
+  const ListSlot list = list_slot(source, source.node, field, 2);
+  if (!list.changes()) return nullptr;
+  auto live = std::make_shared<LiveVertices>();
+  live->feeds.push_back({VertexPart::position, 0, list.slot, list.width, std::vector<std::uint32_t>(vertex_count)});
+  std::iota(live->feeds[0].elements.begin(), live->feeds[0].elements.end(), 0U);
+  live->box_coords = {VertexCoord::bounds_2d};
+  return live;
+}
 
 bool positions_move(const Mesh& mesh) {
   return mesh.live != nullptr &&

@@ -66,6 +66,14 @@ struct ListSlots {
 };
 ListSlots read_list_slots(const GeometrySource& source);
 
+/// Numbers of a list that vertices are made of, as it is at first.
+std::span<const double> list_numbers(const GeometrySource& source, NodeId node, std::string_view field);
+
+/// Of a mesh whose vertices are the points of one list in order, two numbers each, with a picture over their box; null where
+/// nothing changes the list.
+std::shared_ptr<const LiveVertices> make_live_points(const GeometrySource& source, std::string_view field,
+                                                     std::size_t vertex_count);
+
 /// Where a vertex stands in each of the lists.
 struct VertexPlaces {
   std::uint32_t coord = 0, normal = 0, color = 0, tex = 0;

@@ -9,12 +9,14 @@
 namespace plugc {
 namespace {
 
-/// A node below a geometry, and its list.
+/// A node below a geometry, or a geometry, and its list.
 struct ListField {
   std::string_view type, field;
 };
 
-constexpr std::array<ListField, 10> kLists = {{{"Coordinate", "point"},
+constexpr std::array<ListField, 12> kLists = {{{"Polypoint2D", "point"},
+                                               {"TriangleSet2D", "vertices"},
+                                               {"Coordinate", "point"},
                                                {"CoordinateDouble", "point"},
                                                {"Normal", "vector"},
                                                {"Color", "color"},
@@ -69,7 +71,9 @@ void read_child(SceneContext& context, NodeId child) {
 }  // namespace
 
 void read_vertex_fields(SceneContext& context, NodeId geometry) {
-  if (context.live.empty() || !has_lists(context.graph, geometry)) return;
+  if (context.live.empty()) return;
+  read_child(context, geometry);  // a figure in a plane may be a list itself
+  if (!has_lists(context.graph, geometry)) return;
   for (const std::string_view name : {"coord", "normal", "color", "fogCoord", "texCoord", "attrib"}) {
     if (!context.graph.has_field(geometry, name)) continue;
     for (const NodeId child : context.graph.children(geometry, name)) read_child(context, child);
