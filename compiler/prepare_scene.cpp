@@ -8,6 +8,7 @@
 
 #include "compose/check_fields.h"
 #include "image/load_images.h"
+#include "mesh/live_vertices.h"
 #include "mesh/mesh.h"
 #include "mesh/tangents.h"
 #include "mesh/unit_coords.h"
@@ -32,7 +33,8 @@ void prepare_meshes(const NodeGraph& graph, SceneParts& parts, MeshCache& made, 
     const NodeId geometry = parts.scene.shapes[i].geometry;
     const auto [plain, added] = made.by_node.try_emplace({geometry, {}});
     if (added) {
-      if (auto mesh = make_mesh(graph, geometry, diagnostics)) plain->second = share_mesh(made, std::move(*mesh));
+      if (auto mesh = make_mesh(graph, geometry, diagnostics, parts.scene.vertex_fields))
+        plain->second = share_mesh(made, std::move(*mesh));
     }
     parts.shapes[i].mesh = plain->second;
     const std::vector<UnitCoords> units = unit_coords(parts.scene.shapes[i]);
@@ -54,6 +56,12 @@ void prepare_fill(SceneParts& parts) {
   }
 }
 
+std::shared_ptr<const LiveVertices> with_tangent_unit(const LiveVertices& live, std::size_t unit) {
+  auto result = std::make_shared<LiveVertices>(live);
+  result->tangent_unit = static_cast<int>(unit);
+  return result;
+}
+
 /// Meshes with a normal map get tangents, each for the coordinates that the map is read with.
 void prepare_tangents(SceneParts& parts) {
   std::map<std::pair<const Mesh*, std::size_t>, std::shared_ptr<const Mesh>> made;
@@ -67,6 +75,7 @@ void prepare_tangents(SceneParts& parts) {
     if (added) {
       auto with_tangents = std::make_shared<Mesh>(*mesh);
       with_tangents->tangents = make_tangents(*mesh, mesh->tex_coords[unit]);
+      if (mesh->live != nullptr && !with_tangents->tangents.empty()) with_tangents->live = with_tangent_unit(*mesh->live, unit);
       found->second = std::move(with_tangents);
     }
     mesh = found->second;
@@ -84,11 +93,14 @@ void prepare_effect_code(const Scene& scene, PreparedScene& prepared, Diagnostic
   outline_all(scene.shaders, prepared.shaders);
 }
 
-/// By texture coordinate unit: some q is not 1.
+/// By texture coordinate unit: some q is not 1, or will not be.
 std::vector<bool> projective_units(const Mesh& mesh) {
   std::vector<bool> projective;
-  for (const std::vector<glm::vec4>& coords : mesh.tex_coords)
-    projective.push_back(std::ranges::any_of(coords, [](const glm::vec4& coord) { return coord.w != 1.0F; }));
+  for (const std::vector<glm::vec4>& coords : mesh.tex_coords) {
+    const auto unit = static_cast<unsigned>(projective.size());
+    projective.push_back(fed_width(mesh, unit) == 4 ||
+                         std::ranges::any_of(coords, [](const glm::vec4& coord) { return coord.w != 1.0F; }));
+  }
   return projective;
 }
 

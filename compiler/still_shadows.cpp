@@ -11,7 +11,7 @@
 
 #include "base/placed_box.h"
 #include "base/transform_matrix.h"
-#include "mesh/mesh.h"
+#include "mesh/live_vertices.h"
 #include "shadow_geometry.h"
 
 namespace plugc {
@@ -104,7 +104,7 @@ std::vector<StillShape> find_still_shapes(const std::vector<EffectCode>& effects
     if (mesh == nullptr) continue;
     shapes[i].casts = casts_shadow(parts, i);
     const std::optional<glm::dmat4> matrix = still.at(shape.transform);
-    if (!matrix) continue;
+    if (!matrix || positions_move(*mesh)) continue;
     if (!may_move_vertices(parts.scene, shape, effects)) {
       const Box bounds = bounds_of(*mesh);
       shapes[i].place = PlacedBox{bounds, *matrix};

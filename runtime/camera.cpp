@@ -112,6 +112,13 @@ void report_unknown_viewpoint(const PackedScene& scene, const std::string& wante
                            : shown + " is shown; give a DEF name or an index below " + std::to_string(count)));
 }
 
+/// Out of range is as none.
+std::int32_t viewpoint_bound_now(const PackedScene& scene, const Slots& slots) {
+  if (scene.bound_viewpoint_now() == kNoSlot) return scene.bound_viewpoint();
+  const double index = slots.number(scene.bound_viewpoint_now(), -1);
+  return index >= 0 && index < scene.viewpoints()->size() ? static_cast<std::int32_t>(index) : -1;
+}
+
 /// In front of the scene by twice its mean size.
 View view_of_whole(const Box& bounds) {
   const glm::dvec3 forward(0, 0, -1);
@@ -152,10 +159,10 @@ View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World
   return view;
 }
 
-std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted) {
+std::int32_t bound_viewpoint(const PackedScene& scene, const Slots& slots, const std::string& wanted) {
   if (scene.viewpoints()->size() == 0) return -1;
   const auto named = wanted.empty() ? std::nullopt : named_viewpoint(scene, wanted);
-  return named ? static_cast<std::int32_t>(*named) : scene.bound_viewpoint();
+  return named ? static_cast<std::int32_t>(*named) : viewpoint_bound_now(scene, slots);
 }
 
 View view_of_world(const World& world, double aspect) {
@@ -167,7 +174,7 @@ View view_of_world(const World& world, double aspect) {
 View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
                  Messages& messages) {
   report_unknown_viewpoint(scene, wanted, messages);
-  const std::int32_t bound = bound_viewpoint(scene, wanted);
+  const std::int32_t bound = bound_viewpoint(scene, slots, wanted);
   if (bound >= 0) return view_from(*scene.viewpoints()->Get(static_cast<std::uint32_t>(bound)), slots, world, aspect);
   return view_of_world(world, aspect);
 }

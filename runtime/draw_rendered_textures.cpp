@@ -61,7 +61,7 @@ void draw_flat(Frame& frame, const PackedRenderedTexture& packed, const Rendered
   view.camera = settled_camera(frame.scene, [&] { return flat_camera(frame, packed, aspect); });
   view.shadow_camera = view.camera;
   const bool as_picture = packed.viewpoint() < 0 && !packed.own_scene();
-  if (as_picture) view.viewpoint = bound_viewpoint(*frame.scene.packed, frame.options.viewpoint);
+  if (as_picture) view.viewpoint = bound_viewpoint(*frame.scene.packed, frame.scene.slots, frame.options.viewpoint);
   view.background_color = background_of(frame.scene, packed);
   draw(frame, made, 0, view);
 }

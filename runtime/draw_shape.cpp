@@ -157,7 +157,8 @@ const gl::VertexArray* vertex_array_of(const gl::Functions& functions, LoadedSce
   if (bindings == nullptr || bindings->size() == 0 || pass.depth_only)
     return scene.resources.custom_attributes(shape.mesh(), program);
   ProjectedCoords& coords = scene.projected_coords[index];
-  update_projected_coords(functions, scene.resources.mesh(shape.mesh()), *scene.package->meshes()->Get(shape.mesh()), *bindings,
+  update_projected_coords(functions, scene.resources.mesh(shape.mesh()), *scene.package->meshes()->Get(shape.mesh()),
+                          scene.live_meshes.find(shape.mesh()), *bindings,
                           *scene.package->programs()->Get(program)->attributes(), inputs, coords);
   return &coords.vertex_array;
 }

@@ -34,6 +34,7 @@ Pass color_pass(const Frame& frame, const SceneView& view) {
 }
 
 void draw_view(Frame& frame, const FrameTarget& target, const SceneView& view) {
+  for (const LiveMesh& live : frame.scene.live_meshes.list) frame.scene.resources.rewrite_mesh(live);
   if (frame.options.shadows) {
     draw_shadow_maps(frame, view.shadow_camera);
     trace_shadows(frame.gl, frame.scene, view.camera, target.width, target.height, frame.messages);

@@ -120,9 +120,17 @@ bool run_moment(EventGraph& graph, const PackedScene& scene, Slots& slots, doubl
   return true;
 }
 
+/// What is bound when the scene is loaded.
+void bind_first(Cascade& cascade, const PackedScene& scene) {
+  for (flatbuffers::uoffset_t i = 0; i < node_count(scene); ++i) {
+    if (scene.event_nodes()->Get(i)->kind() == PackedEventKind::bind_stack) cascade.wake_node(i);
+  }
+}
+
 /// All clocks, and what came from outside.
 void run_frame(EventGraph& graph, const PackedScene& scene, Slots& slots, double time) {
   Cascade cascade(graph, scene, slots, time);
+  if (graph.time < 0) bind_first(cascade, scene);
   each_clock(graph, scene, slots, [&](std::uint32_t index, const EventNodeInputs&) { cascade.wake_node(index); });
   for (const std::uint32_t slot : std::exchange(graph.unheard, {})) cascade.send(slot);
   cascade.run();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "runtime/interpolate.h"
 
@@ -81,11 +82,56 @@ Sent wake_filter(bool value) {
   return {{value ? 0U : 1U, {value ? 1.0 : 0.0}}, {2, {value ? 0.0 : 1.0}}};
 }
 
+/// X3D 4.1, 7.2.2: what is bound by TRUE comes to the top of the stack, FALSE takes a node out of it, and whenever another one
+/// is on top, both say so.
+void change_stack(std::vector<std::uint32_t>& stack, std::uint32_t node, bool bind) {
+  if (bind && !stack.empty() && stack.back() == node) return;
+  std::erase(stack, node);
+  if (bind) stack.push_back(node);
+}
+
+std::int64_t top_of(const std::vector<std::uint32_t>& stack) {
+  return stack.empty() ? -1 : static_cast<std::int64_t>(stack.back());
+}
+
+Sent wake_bind_stack(const EventNodeInputs& inputs, EventMemory& memory) {
+  const std::int64_t before = top_of(memory.stack);
+  if (!std::exchange(memory.has_begun, true) && inputs.node.subject() >= 0)
+    memory.stack.push_back(static_cast<std::uint32_t>(inputs.node.subject()));
+  const std::uint32_t count = inputs.node.inputs()->size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (inputs.has_arrived(i)) change_stack(memory.stack, i, inputs.boolean(i, false));
+  }
+  const std::int64_t now = top_of(memory.stack);
+  if (now == before) return {};
+  Sent sent{{0, {static_cast<double>(now)}}};
+  for (const auto& [node, is_bound] : {std::pair(before, 0.0), std::pair(now, 1.0)}) {
+    if (node < 0) continue;
+    const auto place = static_cast<std::size_t>(node);
+    sent.push_back({1 + place, {is_bound}});
+    sent.push_back({1 + count + place, {inputs.time}});
+  }
+  return sent;
+}
+
+/// The value for -1 stands before those of the nodes.
+Sent wake_choose(const EventNodeInputs& inputs) {
+  constexpr std::size_t kOtherwise = 1;
+  const double index = inputs.number(0, -1);
+  const double count = inputs.node.inputs()->size() - 2.0;
+  const bool is_one = index >= 0 && index < count;
+  const std::span<const double> values = inputs.values(is_one ? kOtherwise + 1 + static_cast<std::size_t>(index) : kOtherwise);
+  const std::size_t size = inputs.slots.values(inputs.node.outputs()->Get(0)).size();
+  return {{0, {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(std::min(size, values.size()))}}};
+}
+
 }  // namespace
 
 bool wakes(PackedEventKind kind, std::size_t input) {
   switch (kind) {
-    case PackedEventKind::time_sensor: return true;
+    case PackedEventKind::time_sensor:
+    case PackedEventKind::bind_stack:
+    case PackedEventKind::choose: return true;
     case PackedEventKind::proximity_sensor:
     case PackedEventKind::camera: return false;
     case PackedEventKind::sequence: return input < 3;
@@ -100,6 +146,8 @@ std::vector<SentEvent> wake(const EventNodeInputs& inputs, EventMemory& memory) 
     case PackedEventKind::time_sensor: return wake_time_sensor(inputs, memory);
     case PackedEventKind::proximity_sensor:
     case PackedEventKind::camera: return {};
+    case PackedEventKind::bind_stack: return wake_bind_stack(inputs, memory);
+    case PackedEventKind::choose: return wake_choose(inputs);
     case PackedEventKind::ease: return {{0, {ease(inputs.number(0, 0), inputs.values(1), inputs.values(2))}}};
     case PackedEventKind::sequence: return wake_sequence(inputs, memory);
     case PackedEventKind::boolean_filter: return wake_filter(value);

@@ -14,9 +14,11 @@ namespace plugc {
 /// What a node remembers from one event to the next.
 struct EventMemory {
   TimeSensorState clock;
-  std::int64_t step = -1;   ///< Of a sequence: the key that it stands at; -1: none yet.
-  bool inside = false;      ///< Of a proximity sensor.
-  bool has_looked = false;  ///< Of a camera and a proximity sensor: it has sent where the viewer is.
+  std::int64_t step = -1;            ///< Of a sequence: the key that it stands at; -1: none yet.
+  bool inside = false;               ///< Of a proximity sensor.
+  bool has_looked = false;           ///< Of a camera and a proximity sensor: it has sent where the viewer is.
+  std::vector<std::uint32_t> stack;  ///< Of a bind stack: the nodes on it, the bound one last.
+  bool has_begun = false;            ///< Of a bind stack: its first node has been bound.
 };
 
 /// An event that a node sends, by the place of its output.

@@ -36,6 +36,7 @@ LoadedScene load_scene(const gl::Functions& functions, const Package& package, c
                     ResourcePool(functions, package),
                     make_shadow_maps(functions, packed, messages)};
   scene.events = make_event_graph(packed);
+  scene.live_meshes = make_live_meshes(package, packed);
   scene.rendered_textures = make_rendered_textures(functions, packed, messages);
   upload(scene, messages);
   return scene;

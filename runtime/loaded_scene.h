@@ -7,6 +7,7 @@
 
 #include "runtime/event_graph.h"
 #include "runtime/events.h"
+#include "runtime/live_meshes.h"
 #include "runtime/program_pool.h"
 #include "runtime/projected_coords.h"
 #include "runtime/rendered_texture.h"
@@ -34,6 +35,7 @@ struct LoadedScene {
   std::vector<RenderedTexture> rendered_textures = {};
   ScreenTargets screen = {};
   EventGraph events = {};
+  LiveMeshes live_meshes = {};
 
   std::uint32_t shape_count() const { return packed->shapes()->size(); }
   const PackedShape& shape(std::uint32_t index) const { return *packed->shapes()->Get(index); }

@@ -7,7 +7,7 @@ namespace {
 void place_anew(LoadedScene& scene, const Viewer* viewer) {
   const Box framed = scene.world.framed;
   scene.slots.set_watching(true);
-  scene.world = place(*scene.package, *scene.packed, scene.slots, viewer, scene.placed_scene);
+  scene.world = place(*scene.package, *scene.packed, scene.slots, viewer, scene.placed_scene, &scene.live_meshes);
   scene.slots.set_watching(false);
   scene.world.framed = framed;
 }
@@ -15,7 +15,8 @@ void place_anew(LoadedScene& scene, const Viewer* viewer) {
 }  // namespace
 
 void place_scene(LoadedScene& scene, std::int32_t own_scene_of) {
-  if (scene.placed_revision == scene.slots.watched_revision() && scene.placed_scene == own_scene_of) return;
+  const bool moved = update_live_meshes(scene.live_meshes, scene.slots);
+  if (!moved && scene.placed_revision == scene.slots.watched_revision() && scene.placed_scene == own_scene_of) return;
   scene.placed_scene = own_scene_of;
   place_anew(scene, nullptr);
   scene.placed_revision = scene.slots.watched_revision();

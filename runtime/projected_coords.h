@@ -14,11 +14,13 @@ struct ProjectedCoords {
   gl::VertexArray vertex_array;
   std::vector<gl::ExtraStream> streams;  ///< As PackedShape::projected_coords.
   std::vector<glm::dmat4> matrices;      ///< Object space to coordinates, as the streams were computed with.
+  std::uint32_t version = 0;             ///< LiveMesh::version, likewise.
 };
 
-/// Computes them again where the projection or the shape has moved. `attributes` are those of the shape's program.
+/// Computes them again where the projection, the shape or its vertices have moved. `live`: the mesh, where events change it.
+/// `attributes` are those of the shape's program.
 void update_projected_coords(const gl::Functions& functions, const gl::Mesh& mesh, const PackedMesh& packed,
-                             const flatbuffers::Vector<const PackedBinding*>& bindings, const gl::Attributes& attributes,
-                             const UniformInputs& inputs, ProjectedCoords& coords);
+                             const LiveMesh* live, const flatbuffers::Vector<const PackedBinding*>& bindings,
+                             const gl::Attributes& attributes, const UniformInputs& inputs, ProjectedCoords& coords);
 
 }  // namespace plugc

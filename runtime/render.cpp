@@ -22,7 +22,7 @@ SceneView picture_view(Frame& frame, const FrameTarget& target) {
   SceneView view;
   view.camera = settled_camera(scene, [&] { return look(frame, target); });
   view.shadow_camera = view.camera;
-  view.viewpoint = bound_viewpoint(*scene.packed, frame.options.viewpoint);
+  view.viewpoint = bound_viewpoint(*scene.packed, scene.slots, frame.options.viewpoint);
   view.background_color = scene.packed->background_color();
   return view;
 }
@@ -32,7 +32,7 @@ SceneView picture_view(Frame& frame, const FrameTarget& target) {
 FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const FrameTarget& target, const FrameOptions& options,
                            Messages& messages) {
   Frame frame{gl, scene, messages, options};
-  reach_time(scene, options.time, bound_viewpoint(*scene.packed, options.viewpoint), [&] { return look(frame, target); });
+  reach_time(scene, options.time, options.viewpoint, [&] { return look(frame, target); });
   if (!scene.rendered_textures.empty()) {
     frame.viewer = picture_view(frame, target).camera;
     draw_rendered_textures(frame);

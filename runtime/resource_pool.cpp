@@ -13,6 +13,14 @@ const gl::Mesh& ResourcePool::mesh(std::uint32_t index) {
   return *slot;
 }
 
+void ResourcePool::rewrite_mesh(const LiveMesh& live) {
+  const std::uint32_t index = live.packed->mesh();
+  std::uint32_t& uploaded = live_versions_[index];
+  if (uploaded == live.version) return;
+  gl::rewrite_vertices(*gl_, mesh(index), live.vertices);
+  uploaded = live.version;
+}
+
 const gl::VertexArray* ResourcePool::custom_attributes(std::uint32_t index, std::uint32_t program) {
   const PackedMesh& packed = *package_->meshes()->Get(index);
   if (packed.attributes() == nullptr || packed.attributes()->size() == 0) return nullptr;

@@ -8,6 +8,7 @@
 
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/texture.h"
+#include "runtime/live_meshes.h"
 #include "runtime/messages.h"
 
 namespace plugc {
@@ -18,6 +19,8 @@ class ResourcePool {
   ResourcePool(const gl::Functions& functions, const Package& package);
 
   const gl::Mesh& mesh(std::uint32_t index);
+  /// Brings the mesh's vertices up to date.
+  void rewrite_mesh(const LiveMesh& live);
   /// The mesh as that program reads it, where it reads attributes that only the mesh knows by name; else null: the mesh's own
   /// will do.
   const gl::VertexArray* custom_attributes(std::uint32_t mesh, std::uint32_t program);
@@ -36,6 +39,7 @@ class ResourcePool {
   const gl::Functions* gl_ = nullptr;
   const Package* package_ = nullptr;
   std::vector<std::optional<gl::Mesh>> meshes_;
+  std::map<std::uint32_t, std::uint32_t> live_versions_;  ///< By mesh: LiveMesh::version of what was uploaded.
   std::map<std::pair<std::uint32_t, std::uint32_t>, gl::VertexArray> custom_attributes_;  ///< By mesh and program.
   std::map<std::pair<std::uint32_t, GLenum>, gl::Texture> textures_;  ///< One picture can be read as 2D and as 3D.
   std::map<std::pair<PackedUniformType, bool>, gl::Texture> stand_ins_;

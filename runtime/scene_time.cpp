@@ -101,10 +101,11 @@ std::vector<NodeEvents> view_events(LoadedScene& scene, const View& view, std::i
   return all;
 }
 
-View reach_moment(LoadedScene& scene, double time, std::int32_t viewpoint, const std::function<View()>& look) {
+View reach_moment(LoadedScene& scene, double time, const std::string& wanted, const std::function<View()>& look) {
   advance_events(scene.events, *scene.packed, scene.slots, time);
   place_scene(scene);
   const View view = look();
+  const std::int32_t viewpoint = bound_viewpoint(*scene.packed, scene.slots, wanted);
   const std::uint64_t before = scene.slots.revision();
   send_events(scene.events, *scene.packed, scene.slots, view_events(scene, view, viewpoint));
   if (scene.slots.revision() == before) return view;
@@ -114,14 +115,15 @@ View reach_moment(LoadedScene& scene, double time, std::int32_t viewpoint, const
 
 }  // namespace
 
-View reach_time(LoadedScene& scene, double time, std::int32_t viewpoint, const std::function<View()>& look) {
+View reach_time(LoadedScene& scene, double time, const std::string& wanted, const std::function<View()>& look) {
+  const std::int32_t viewpoint = bound_viewpoint(*scene.packed, scene.slots, wanted);
   if (viewpoint < 0 && (scene.events.time < 0 || !scene.events.unheard.empty())) {
     place_scene(scene);
     scene.world.framed = scene.world.bounds;
   }
   const bool from_the_start = scene.events.time < 0 || time < scene.events.time;
-  if (from_the_start && time > 0) reach_moment(scene, 0, viewpoint, look);
-  return reach_moment(scene, time, viewpoint, look);
+  if (from_the_start && time > 0) reach_moment(scene, 0, wanted, look);
+  return reach_moment(scene, time, wanted, look);
 }
 
 }  // namespace plugc

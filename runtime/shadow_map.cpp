@@ -163,7 +163,7 @@ FitInput fit_input(const Package& package, const PackedScene& scene, const World
   for (std::uint32_t i = 0; i < shape_count; ++i) {
     if (!world.shape_visible[i]) continue;
     const PackedShape& shape = *scene.shapes()->Get(i);
-    const PlacedBox placed{object_bounds(package, shape), world.at(shape.transform()).matrix, shape.bounds_known()};
+    const PlacedBox placed{world.object_bounds[i], world.at(shape.transform()).matrix, shape.bounds_known()};
     const ShapePrograms use = shape_programs(shape, world.shape_variant[i]);
     if (depth_program(use, of_point_light) >= 0) input.casters.push_back(placed);
     const bool receives =

@@ -18,19 +18,25 @@ const PackedStream* find_stream(const PackedMesh& mesh, PackedSemantic semantic)
   return nullptr;
 }
 
-glm::dvec3 read_vertex(const PackedMesh& mesh, const PackedStream& stream, std::uint32_t vertex) {
+/// A mesh with its vertices, which may be live.
+struct MeshVertices {
+  const PackedMesh& mesh;
+  std::span<const std::uint8_t> bytes;
+};
+
+glm::dvec3 read_vertex(const MeshVertices& vertices, const PackedStream& stream, std::uint32_t vertex) {
   glm::vec3 value(0);
-  const std::size_t at = std::size_t{vertex} * mesh.stride() + stream.offset();
-  std::memcpy(&value, mesh.vertices()->data() + at, std::min<std::size_t>(stream.components(), 3) * sizeof(float));
+  const std::size_t at = std::size_t{vertex} * vertices.mesh.stride() + stream.offset();
+  std::memcpy(&value, vertices.bytes.data() + at, std::min<std::size_t>(stream.components(), 3) * sizeof(float));
   return value;
 }
 
 /// One value an index.
-std::vector<glm::dvec3> read_corners(const PackedMesh& mesh, PackedSemantic semantic) {
+std::vector<glm::dvec3> read_corners(const MeshVertices& vertices, PackedSemantic semantic) {
   std::vector<glm::dvec3> values;
-  const PackedStream* const stream = find_stream(mesh, semantic);
+  const PackedStream* const stream = find_stream(vertices.mesh, semantic);
   if (stream == nullptr) return values;
-  for (const std::uint32_t index : *mesh.indices()) values.push_back(read_vertex(mesh, *stream, index));
+  for (const std::uint32_t index : *vertices.mesh.indices()) values.push_back(read_vertex(vertices, *stream, index));
   return values;
 }
 
@@ -78,7 +84,8 @@ double texel_alpha(const AlphaTest& test, int x, int y) {
 
 }  // namespace
 
-std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const Slots& slots, const World& world) {
+std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,
+                                   const LiveMeshes& live) {
   std::vector<Surface> surfaces;
   const std::uint32_t count = scene.shapes()->size();
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -90,10 +97,12 @@ std::vector<Surface> read_surfaces(const Package& package, const PackedScene& sc
     Surface surface;
     surface.shape = i;
     surface.to_world = world.at(shape.transform()).matrix;
-    surface.points = read_corners(mesh, PackedSemantic::position);
+    const MeshVertices vertices{mesh, vertex_bytes(mesh, live.find(shape.mesh()))};
+    surface.points = read_corners(vertices, PackedSemantic::position);
     surface.alpha_test = find_alpha_test(package, shape, slots, use);
     if (surface.alpha_test) {
-      for (const glm::dvec3& corner : read_corners(mesh, PackedSemantic::tex_coord)) surface.tex_coords.emplace_back(corner);
+      for (const glm::dvec3& corner : read_corners(vertices, PackedSemantic::tex_coord))
+        surface.tex_coords.emplace_back(corner);
     }
     surface.casts = use.casts();
     surface.may_move = !shape.bounds_known() || shape.bounds_min() != nullptr;

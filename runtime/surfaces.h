@@ -33,8 +33,9 @@ struct Surface {
   bool may_move = false;  ///< Its program may move vertices: nothing is known of where it is.
 };
 
-/// The visible shapes of the scene. Lines and points are left out.
-std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const Slots& slots, const World& world);
+/// The visible shapes of the scene. Lines and points are left out. `live`: meshes that events change.
+std::vector<Surface> read_surfaces(const Package& package, const PackedScene& scene, const Slots& slots, const World& world,
+                                   const LiveMeshes& live);
 
 /// The planes of its triangles, normals by the order of their corners.
 std::vector<Plane> world_planes(const Surface& surface);

@@ -42,6 +42,8 @@ std::vector<glm::dmat4> placement(const LoadedScene& scene) {
     const bool there = scene.world.shape_visible[i];
     places.push_back(there ? scene.world.at(scene.shape(i).transform()).matrix : glm::dmat4(0.0));
     places.back()[0][3] = there && scene.programs_of(i).casts() ? 1 : 0;  // of an affine matrix that is 0
+    const LiveMesh* const live = scene.live_meshes.find(scene.shape(i).mesh());
+    places.back()[1][3] = there && live != nullptr ? live->version : 0;
   }
   return places;
 }
@@ -51,7 +53,7 @@ void place_geometry(TracedShadows& traced, const LoadedScene& scene, Messages& m
   if (traced.placed && places == traced.places) return;
   traced.places = std::move(places);
   traced.placed = true;
-  std::vector<Surface> surfaces = read_surfaces(*scene.package, *scene.packed, scene.slots, scene.world);
+  std::vector<Surface> surfaces = read_surfaces(*scene.package, *scene.packed, scene.slots, scene.world, scene.live_meshes);
   std::string error;
   traced.tracer = Tracer::make(surfaces, error);
   if (traced.tracer == nullptr) messages.add("shadows cannot be traced, so all is lit: " + error);

@@ -27,6 +27,9 @@ void append(std::vector<float>& numbers, const glm::dmat4& matrix) {
   numbers.insert(numbers.end(), glm::value_ptr(floats), glm::value_ptr(floats) + 16);
 }
 
+/// That floats tell apart.
+constexpr std::uint32_t kVersions = 1U << 24;
+
 /// Of one caster: what draw_shape will set.
 void append_caster(std::vector<float>& numbers, const LoadedScene& scene, const View& light, std::uint32_t index) {
   const ShapePrograms use = scene.programs_of(index);
@@ -36,6 +39,8 @@ void append_caster(std::vector<float>& numbers, const LoadedScene& scene, const 
       *scene.packed, scene.slots, scene.world, light, {}, &light, scene.world.at(scene.shape(index).transform()).matrix};
   numbers.push_back(static_cast<float>(index));
   numbers.push_back(static_cast<float>(program));
+  if (const LiveMesh* const live = scene.live_meshes.find(scene.shape(index).mesh()))
+    numbers.push_back(static_cast<float>(live->version % kVersions));
   for (const PackedBinding* binding : depth_bindings(use, light.all_around)) {
     const PackedUniform& uniform = *uniforms.Get(binding->uniform());
     const std::vector<float> values = evaluate(*binding, uniform.type(), uniform.count(), inputs);

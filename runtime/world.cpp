@@ -57,6 +57,11 @@ bool is_on(const PackedSwitch& one, const PackedScene& scene, const Slots& slots
   return light_shines(*scene.lights()->Get(one.index()), slots, world);
 }
 
+/// What is no part of a backdrop, or of the one that is bound.
+bool is_bound(const PackedShape& shape, const PackedScene& scene, const Slots& slots) {
+  return shape.background() < 0 || slots.number(scene.bound_background(), -1) == static_cast<double>(shape.background());
+}
+
 /// Neither its ambient nor its direct term adds anything.
 bool is_black(const PackedLight& light, const Slots& slots) {
   if (slots.vector3(light.color(), glm::dvec3(1)) == glm::dvec3(0)) return true;
@@ -131,7 +136,7 @@ const PlacedTransform& World::at(std::int32_t transform) const {
 }
 
 World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer,
-            std::int32_t own_scene_of) {
+            std::int32_t own_scene_of, const LiveMeshes* live) {
   World world;
   world.transforms.reserve(scene.transforms()->size());
   const SpecialTransforms special = find_special(scene);
@@ -144,9 +149,10 @@ World place(const Package& package, const PackedScene& scene, const Slots& slots
     const PlacedTransform& placed = world.at(shape->transform());
     const bool in_world = shape->layer() == PackedLayer::world;
     const bool chosen = placed.visible || !in_world;  // what is bound shows wherever it stands
-    const bool visible = chosen && shape->own_scene_of() == own_scene_of;
+    const bool visible = chosen && is_bound(*shape, scene, slots) && shape->own_scene_of() == own_scene_of;
     const bool has_place = visible && in_world;
-    const Box own = has_place ? object_bounds(package, *shape) : Box{};
+    const Box own = has_place ? object_bounds(package, *shape, live == nullptr ? nullptr : live->find(shape->mesh())) : Box{};
+    world.object_bounds.push_back(own);
     world.shape_visible.push_back(visible);
     world.shape_variant.push_back(current_variant(*shape, scene, slots, world));
     world.shape_bounds.push_back(transformed(own, placed.matrix));
@@ -161,9 +167,10 @@ bool depends_on_viewer(const PackedScene& scene) {
   return turns || chooses;
 }
 
-Box object_bounds(const Package& package, const PackedShape& shape) {
+Box object_bounds(const Package& package, const PackedShape& shape, const LiveMesh* live) {
   const PackedMesh& mesh = *package.meshes()->Get(shape.mesh());
   const bool written = shape.bounds_min() != nullptr && shape.bounds_max() != nullptr;
+  if (!written && live != nullptr) return live->bounds;
   const PackedVec3& low = written ? *shape.bounds_min() : *mesh.bounds_min();
   const PackedVec3& high = written ? *shape.bounds_max() : *mesh.bounds_max();
   return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};

@@ -9,6 +9,7 @@
 #include "base/transform_matrix.h"
 #include "package/package_file.h"
 #include "runtime/events.h"
+#include "runtime/live_meshes.h"
 #include "runtime/messages.h"
 
 namespace plugc {
@@ -21,7 +22,8 @@ struct PlacedTransform {
 
 struct World {
   std::vector<PlacedTransform> transforms;
-  std::vector<Box> shape_bounds;  ///< World space; empty for a shape that is hidden, without vertices or of the backdrop.
+  std::vector<Box> object_bounds;  ///< Of each shape, in its own space.
+  std::vector<Box> shape_bounds;   ///< World space; empty for a shape that is hidden, without vertices or of the backdrop.
   std::vector<bool> shape_visible;
   std::vector<std::uint8_t> shape_variant;  ///< Which of a shape's programs its switches ask for now.
   Box bounds;                               ///< Around all visible shapes.
@@ -44,9 +46,9 @@ struct Viewer {
 };
 
 /// Without a viewer, Billboards stay as they are written, and each LOD shows its nearest level. Visible is what stands in the
-/// scene that rendered texture `own_scene_of` has of its own, or in the world (-1).
+/// scene that rendered texture `own_scene_of` has of its own, or in the world (-1). `live`: those of the scene, up to date.
 World place(const Package& package, const PackedScene& scene, const Slots& slots, const Viewer* viewer = nullptr,
-            std::int32_t own_scene_of = -1);
+            std::int32_t own_scene_of = -1, const LiveMeshes* live = nullptr);
 
 /// Whether where things are, or which of them are shown, depends on the viewer.
 bool depends_on_viewer(const PackedScene& scene);
@@ -61,8 +63,9 @@ double shadow_intensity(std::uint32_t slot, const Slots& slots);
 /// and nothing else brings light.
 bool shadow_shows(const PackedShadowMap& map, const PackedScene& scene, const Slots& slots, const World& world);
 
-/// The shape's box in its own space: as its author wrote it where a program may move its vertices, else its mesh's.
-Box object_bounds(const Package& package, const PackedShape& shape);
+/// The shape's box in its own space: as its author wrote it where a program may move its vertices, else its mesh's. `live`: its
+/// mesh, where events change it.
+Box object_bounds(const Package& package, const PackedShape& shape, const LiveMesh* live = nullptr);
 
 /// How much a matrix makes things longer, on the average of its axes.
 double average_scale(const glm::dmat4& matrix);
@@ -84,9 +87,9 @@ View look_along(const glm::dvec3& position, const glm::dvec3& direction, const g
 /// What a viewpoint sees in a picture of that shape.
 View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World& world, double aspect);
 
-/// The viewpoint that is looked through: `wanted` is a DEF name or an index from 0, else the one that is bound at the start.
-/// -1: none; the whole scene is looked at.
-std::int32_t bound_viewpoint(const PackedScene& scene, const std::string& wanted);
+/// The viewpoint that is looked through: `wanted` is a DEF name or an index from 0, else the one that is bound now. -1: none;
+/// the whole scene is looked at.
+std::int32_t bound_viewpoint(const PackedScene& scene, const Slots& slots, const std::string& wanted);
 
 /// `wanted` is a DEF name or an index from 0; unknown ones are reported and the first viewpoint taken. `aspect` is width /
 /// height.

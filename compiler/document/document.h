@@ -18,7 +18,7 @@
 
 namespace plugc {
 
-enum class Encoding : std::uint8_t { classic, vrml2, xml, json, gltf };
+enum class Encoding : std::uint8_t { classic, vrml2, xml, json, gltf, vrml1 };
 
 /// A contiguous part of one pool of a Document.
 template <typename T>

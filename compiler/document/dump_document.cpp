@@ -68,6 +68,7 @@ std::string_view encoding_name(Encoding encoding) {
     case Encoding::xml: return "xml";
     case Encoding::json: return "json";
     case Encoding::gltf: return "gltf";
+    case Encoding::vrml1: return "vrml1";
   }
   return "";
 }

@@ -38,6 +38,7 @@ FaceReader::FaceReader(const GeometrySource& source, std::vector<glm::vec3> coor
   faces.tex_units = read_tex_units(source);
   faces.fog_coords = read_fog_coords(source, faces.coords.size());
   faces.attributes = read_attributes(source, faces.coords.size());
+  faces.lists = read_list_slots(source);
   faces.normal_per_vertex = boolean_or(source, "normalPerVertex", true);
   faces.ccw = boolean_or(source, "ccw", true);
   faces.solid = boolean_or(source, "solid", true);

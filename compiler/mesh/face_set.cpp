@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "base/box_texture.h"
 #include "base/limits.h"
-#include "mesh/box_texture.h"
 #include "mesh/mesh_attribute.h"
 #include "mesh/triangulate.h"
 
@@ -75,6 +75,8 @@ class FaceTriangulator {
   }
 
   std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t> corner_vertices;  // by corner of the faces
+  std::vector<std::uint32_t> vertex_faces;     // by vertex: the first face that has it
   const std::vector<Corner>& vertices() const { return table_.vertices; }
 
  private:
@@ -82,6 +84,8 @@ class FaceTriangulator {
     const std::span<const Corner> face = faces_.face(index);
     vertex_.clear();
     for (const Corner& corner : face) vertex_.push_back(table_.find_or_add(corner));
+    vertex_faces.resize(table_.vertices.size(), static_cast<std::uint32_t>(index));
+    corner_vertices.insert(corner_vertices.end(), vertex_.begin(), vertex_.end());
     if (faces_.convex || face.size() == 3 || !add_clipped(face, of_faces_[index])) add_fan();
   }
 
@@ -144,11 +148,52 @@ void fill_attributes(Mesh& mesh, const FaceSet& faces, std::span<const Corner> v
   }
 }
 
+// The first vertex at each one's coordinate.
+std::vector<std::uint32_t> first_at_points(const FaceSet& faces, std::span<const Corner> vertices) {
+  std::vector<std::uint32_t> first(faces.coords.size(), kNoIndex), result;
+  result.reserve(vertices.size());
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    std::uint32_t& known = first[vertices[v].coord];
+    if (known == kNoIndex) known = v;
+    result.push_back(known);
+  }
+  return result;
+}
+
+MadeNormals made_normals(const FaceSet& faces, FaceTriangulator& triangulator) {
+  MadeNormals made;
+  made.face_ends = faces.face_ends;
+  made.vertex_points = first_at_points(faces, triangulator.vertices());
+  made.corners = std::move(triangulator.corner_vertices);
+  made.vertex_faces = std::move(triangulator.vertex_faces);
+  made.least_cosine = least_cosine(faces);
+  made.clockwise = !faces.ccw;
+  return made;
+}
+
+std::shared_ptr<const LiveVertices> make_live(const FaceSet& faces, bool normals_are_made, FaceTriangulator& triangulator,
+                                              const Mesh& mesh) {
+  std::vector<VertexPlaces> places;
+  places.reserve(triangulator.vertices().size());
+  for (const Corner& vertex : triangulator.vertices())
+    places.push_back({vertex.coord, vertex.normal, vertex.color, vertex.tex});
+  auto live = std::make_shared<LiveVertices>();
+  live->feeds = make_feeds(faces.lists, mesh, places);
+  if (!faces.lists.coord.changes()) return live;
+  if (normals_are_made) live->normals = made_normals(faces, triangulator);
+  for (std::size_t unit = 0; unit < mesh.tex_coords.size(); ++unit) {
+    const bool written = unit < faces.tex_units.size() && !faces.tex_units[unit].empty();
+    live->box_coords.push_back(written ? VertexCoord::own : VertexCoord::bounds_2d);
+  }
+  return live;
+}
+
 }  // namespace
 
 std::optional<Mesh> mesh_of_faces(FaceSet faces, const GeometrySource& source) {
   const std::vector<glm::vec3> of_faces = face_normals(faces);
-  if (faces.normals.empty()) generate_normals(faces, of_faces);
+  const bool normals_are_made = faces.normals.empty();
+  if (normals_are_made) generate_normals(faces, of_faces);
   FaceTriangulator triangulator(faces, of_faces, source);
   triangulator.add_all();
 
@@ -167,6 +212,7 @@ std::optional<Mesh> mesh_of_faces(FaceSet faces, const GeometrySource& source) {
   }
   fill_tex_coords(mesh, faces, triangulator.vertices());
   fill_attributes(mesh, faces, triangulator.vertices());
+  if (faces.lists.any()) mesh.live = make_live(faces, normals_are_made, triangulator, mesh);
   return mesh;
 }
 

@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "base/face_normals.h"
 #include "mesh/geometry.h"
+#include "mesh/live_vertices.h"
 
 namespace plugc {
 
@@ -32,6 +34,7 @@ struct FaceSet {
   std::vector<glm::vec4> default_tex;             ///< By coord; empty: the box texture.
   std::vector<float> fog_coords;                  ///< By coord; empty: none.
   std::vector<MeshAttribute> attributes;          ///< By coord.
+  ListSlots lists;                                ///< Which of them events change.
   bool colors_have_alpha = false;
 
   float crease_angle = 0;         ///< For generated normals; pi smooths everything.
@@ -51,8 +54,14 @@ struct FaceSet {
   }
 };
 
-/// The normal of each face by Newell's sum, unit length, toward the side where `ccw` puts the front; (0, 0, 1) without an area.
+/// The coordinates at the corners.
+std::vector<std::uint32_t> corner_coords(const FaceSet& faces);
+
+/// The normal of each face: see polygon_normals().
 std::vector<glm::vec3> face_normals(const FaceSet& faces);
+
+/// For generated normals: faces that meet at an angle with a smaller cosine have an edge between them.
+float least_cosine(const FaceSet& faces);
 
 /// Fills `normals` and the corners' places in them (X3D 4.1, 11.2.3 and 13.3.6: creaseAngle, normalPerVertex).
 void generate_normals(FaceSet& faces, std::span<const glm::vec3> face_normals);

@@ -12,6 +12,7 @@ struct GeometrySource {
   const NodeGraph& graph;
   NodeId node;
   Diagnostics& diagnostics;
+  std::span<const VertexField> changing = {};  ///< Lists that events change.
 
   std::string_view type() const { return graph[node].info->name; }
   void report(DiagnosticId id, std::string_view field, std::string message) const {

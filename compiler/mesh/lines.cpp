@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "base/box_texture.h"
 #include "base/limits.h"
-#include "mesh/box_texture.h"
 #include "mesh/geometry.h"
 #include "mesh/lists.h"
+#include "mesh/live_vertices.h"
 #include "mesh/mesh_attribute.h"
 
 namespace plugc {
@@ -24,7 +25,8 @@ class LineBuilder {
         colors_(read_colors(source)),
         normals_(read_normals(source)),
         fog_coords_(read_fog_coords(source, coords_.size())),
-        attributes_(read_attributes(source, coords_.size())) {
+        attributes_(read_attributes(source, coords_.size())),
+        lists_(read_list_slots(source)) {
     mesh.colors_have_alpha = colors_.have_alpha;
     for (const MeshAttribute& by_coord : attributes_)
       mesh.attributes.push_back({by_coord.name, by_coord.columns, by_coord.components, {}});
@@ -41,6 +43,7 @@ class LineBuilder {
     for (const End& end : ends)
       if (!is_usable(end)) return;
     for (const End& end : ends) {
+      if (lists_.any()) places_.push_back(places_of(end));
       mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
       mesh.positions.push_back(coords_[static_cast<std::size_t>(end.coord)]);
       if (!normals_.empty()) mesh.normals.push_back(normals_[static_cast<std::size_t>(end.coord)]);
@@ -55,12 +58,27 @@ class LineBuilder {
 
   Mesh take() {
     mesh.tex_coords = {box_texture(mesh.positions)};
+    if (lists_.any()) mesh.live = make_live();
     return std::move(mesh);
   }
 
   Mesh mesh;
 
  private:
+  static VertexPlaces places_of(const End& end) {
+    const auto coord = static_cast<std::uint32_t>(end.coord);
+    return {coord, coord, static_cast<std::uint32_t>(end.color), coord};
+  }
+
+  std::shared_ptr<const LiveVertices> make_live() const {
+    ListSlots lists = lists_;
+    lists.tex_units.clear();  // lines have the box's
+    auto live = std::make_shared<LiveVertices>();
+    live->feeds = make_feeds(lists, mesh, places_);
+    if (lists.coord.changes()) live->box_coords = {VertexCoord::bounds_2d};
+    return live;
+  }
+
   bool is_usable(const End& end) {
     if (mesh.positions.size() > kMaxMeshVertices) return false;  // reported for the whole mesh
     if (!is_in(end.coord, coords_.size(), "coord")) return false;
@@ -85,6 +103,8 @@ class LineBuilder {
   std::vector<glm::vec3> normals_;  // by coord
   std::vector<float> fog_coords_;
   std::vector<MeshAttribute> attributes_;  // by coord
+  ListSlots lists_;
+  std::vector<VertexPlaces> places_;  // by vertex, where something changes
   bool reported_ = false;
 };
 

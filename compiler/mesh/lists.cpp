@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/live_vertices.h"
 #include "mesh/mesh_attribute.h"
 
 namespace plugc {
@@ -32,11 +33,11 @@ std::vector<glm::vec4> padded(std::span<const double> numbers, const glm::vec4& 
   return result;
 }
 
-std::vector<glm::vec4> read_tex_unit(const NodeGraph& graph, NodeId node) {
+std::vector<glm::vec4> read_tex_unit(const GeometrySource& source, NodeId node) {
   const glm::vec4 missing{0, 0, 0, 1};
-  if (graph.is(node, "TextureCoordinate")) return padded<2>(graph.field(node, "point").numbers, missing);
-  if (graph.is(node, "TextureCoordinate3D")) return padded<3>(graph.field(node, "point").numbers, missing);
-  if (graph.is(node, "TextureCoordinate4D")) return padded<4>(graph.field(node, "point").numbers, missing);
+  if (source.graph.is(node, "TextureCoordinate")) return padded<2>(list_numbers(source, node, "point"), missing);
+  if (source.graph.is(node, "TextureCoordinate3D")) return padded<3>(list_numbers(source, node, "point"), missing);
+  if (source.graph.is(node, "TextureCoordinate4D")) return padded<4>(list_numbers(source, node, "point"), missing);
   return {};
 }
 
@@ -57,7 +58,7 @@ std::vector<glm::vec3> read_coords(const GeometrySource& source) {
   const NodeId coord = source.graph.child(source.node, "coord");
   if (!coord.valid()) return {};
   if (source.graph.is(coord, "Coordinate") || source.graph.is(coord, "CoordinateDouble"))
-    return vectors<3>(source.graph.field(coord, "point").numbers);
+    return vectors<3>(list_numbers(source, coord, "point"));
   source.report(DiagnosticId::not_drawn, "coord",
                 fmt::format("plugc does not place the coordinates of `{}`; use `Coordinate`", source.graph[coord].info->name));
   return {};
@@ -66,7 +67,7 @@ std::vector<glm::vec3> read_coords(const GeometrySource& source) {
 std::vector<glm::vec3> read_normals(const GeometrySource& source) {
   const NodeId normal = source.graph.child(source.node, "normal");
   if (!source.graph.is(normal, "Normal")) return {};
-  std::vector<glm::vec3> normals = vectors<3>(source.graph.field(normal, "vector").numbers);
+  std::vector<glm::vec3> normals = vectors<3>(list_numbers(source, normal, "vector"));
   for (glm::vec3& vector : normals) {
     const float length = glm::length(vector);
     vector = length > 0 && std::isfinite(length) ? vector / length : glm::vec3(0, 0, 1);
@@ -76,15 +77,15 @@ std::vector<glm::vec3> read_normals(const GeometrySource& source) {
 
 ColorList read_colors(const GeometrySource& source) {
   const NodeId color = source.graph.child(source.node, "color");
-  if (source.graph.is(color, "Color")) return {padded<3>(source.graph.field(color, "color").numbers, glm::vec4(1)), false};
-  if (source.graph.is(color, "ColorRGBA")) return {padded<4>(source.graph.field(color, "color").numbers, glm::vec4(1)), true};
+  if (source.graph.is(color, "Color")) return {padded<3>(list_numbers(source, color, "color"), glm::vec4(1)), false};
+  if (source.graph.is(color, "ColorRGBA")) return {padded<4>(list_numbers(source, color, "color"), glm::vec4(1)), true};
   return {};
 }
 
 std::vector<float> read_fog_coords(const GeometrySource& source, std::size_t coord_count) {
   const NodeId fog_coord = source.graph.child(source.node, "fogCoord");
   if (!source.graph.is(fog_coord, "FogCoordinate")) return {};
-  const std::span<const double> depths = source.graph.field(fog_coord, "depth").numbers;
+  const std::span<const double> depths = list_numbers(source, fog_coord, "depth");
   if (depths.empty()) return {};
   std::vector<float> result(coord_count, static_cast<float>(depths.back()));
   for (std::size_t i = 0; i < std::min(depths.size(), coord_count); ++i) result[i] = static_cast<float>(depths[i]);
@@ -99,7 +100,7 @@ std::vector<MeshAttribute> read_attributes(const GeometrySource& source, std::si
     MeshAttribute attribute = attribute_type(source.graph, node);
     const bool is_known = std::ranges::find(attributes, attribute.name, &MeshAttribute::name) != attributes.end();
     if (attribute.columns == 0 || attribute.name.empty() || is_known) continue;
-    const std::span<const double> numbers = source.graph.field(node, "value").numbers;
+    const std::span<const double> numbers = list_numbers(source, node, "value");
     const std::size_t size = number_count(attribute);
     attribute.values.resize(coord_count * size);
     for (std::size_t i = 0; i < std::min(numbers.size(), attribute.values.size()); ++i)
@@ -117,9 +118,9 @@ std::vector<MeshAttribute> read_attributes(const GeometrySource& source, std::si
 
 std::vector<std::vector<glm::vec4>> read_tex_units(const GeometrySource& source) {
   const NodeId tex_coord = source.graph.child(source.node, "texCoord");
-  if (!source.graph.is(tex_coord, "MultiTextureCoordinate")) return {read_tex_unit(source.graph, tex_coord)};
+  if (!source.graph.is(tex_coord, "MultiTextureCoordinate")) return {read_tex_unit(source, tex_coord)};
   std::vector<std::vector<glm::vec4>> units;
-  for (const NodeId unit : source.graph.children(tex_coord, "texCoord")) units.push_back(read_tex_unit(source.graph, unit));
+  for (const NodeId unit : source.graph.children(tex_coord, "texCoord")) units.push_back(read_tex_unit(source, unit));
   return units;
 }
 

@@ -77,9 +77,10 @@ std::optional<Mesh> checked(std::optional<Mesh> mesh, const GeometrySource& sour
 
 }  // namespace
 
-std::optional<Mesh> make_mesh(const NodeGraph& graph, NodeId geometry, Diagnostics& diagnostics) {
+std::optional<Mesh> make_mesh(const NodeGraph& graph, NodeId geometry, Diagnostics& diagnostics,
+                              std::span<const VertexField> changing) {
   if (!graph.is(geometry, "X3DGeometryNode")) return std::nullopt;  // reported as misplaced
-  const GeometrySource source{graph, geometry, diagnostics};
+  const GeometrySource source{graph, geometry, diagnostics, changing};
   const auto* maker = std::ranges::find(kMakers, source.type(), &Maker::type);
   if (maker == std::end(kMakers)) {
     source.report(DiagnosticId::not_drawn, fmt::format("plugc does not draw `{}`", source.type()));

@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "mesh/box_texture.h"
+#include "base/box_texture.h"
 #include "mesh/geometry.h"
+#include "mesh/live_vertices.h"
 
 namespace plugc {
 namespace {
@@ -99,7 +100,7 @@ Mesh annulus(const GeometrySource& source, float inner, float outer) {
 }
 
 std::vector<glm::vec2> read_points(const GeometrySource& source, std::string_view field) {
-  const std::span<const double> numbers = source.graph.field(source.node, field).numbers;
+  const std::span<const double> numbers = list_numbers(source, source.node, field);
   std::vector<glm::vec2> points;
   for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.emplace_back(glm::dvec2(numbers[i], numbers[i + 1]));
   return points;
@@ -145,6 +146,7 @@ std::optional<Mesh> make_polypoint(const GeometrySource& source) {
     mesh.positions.emplace_back(point, 0);
   }
   mesh.tex_coords = {box_texture(mesh.positions)};
+  mesh.live = make_live_points(source, "point", mesh.positions.size());
   return mesh;
 }
 
@@ -162,6 +164,7 @@ std::optional<Mesh> make_triangle_set_2d(const GeometrySource& source) {
   mesh.positions.resize(mesh.indices.size());  // a rest that makes no triangle counts for nothing
   mesh.normals.assign(mesh.positions.size(), glm::vec3(0, 0, 1));
   mesh.tex_coords[0] = box_texture(mesh.positions);
+  mesh.live = make_live_points(source, "vertices", mesh.positions.size());
   return mesh;
 }
 

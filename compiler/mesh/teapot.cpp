@@ -10,7 +10,7 @@
 #include <span>
 #include <unordered_map>
 
-#include "mesh/box_texture.h"
+#include "base/box_texture.h"
 #include "mesh/geometry.h"
 
 namespace plugc {

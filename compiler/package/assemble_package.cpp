@@ -12,6 +12,7 @@
 #include "package/assemble_events.h"
 #include "package/pack_attributes.h"
 #include "package/pack_geometry.h"
+#include "package/pack_live_meshes.h"
 #include "package/pack_offscreen.h"
 #include "package/pack_program.h"
 #include "package/pack_scene_lists.h"
@@ -114,6 +115,10 @@ bool are_equal(const PackedMeshT& a, const PackedMeshT& b) {
 
 std::uint32_t Assembler::add_mesh(const Mesh& mesh, std::uint32_t units) {
   auto packed = pack_mesh(mesh, units);
+  if (mesh.live != nullptr) {  // what is equal now will not stay so
+    package_.meshes.push_back(std::move(packed));
+    return static_cast<std::uint32_t>(package_.meshes.size() - 1);
+  }
   const std::size_t hash = hash_of(packed->vertices) ^ hash_of(packed->indices);
   const auto [first, last] = meshes_.equal_range(hash);
   for (auto known = first; known != last; ++known) {
@@ -170,6 +175,8 @@ void Assembler::add_scene(SceneParts& parts) {
   packed->name = scene.name;
   packed->background_color = scene.background_color;
   packed->bound_viewpoint = scene.bound_viewpoint;
+  packed->bound_viewpoint_now = scene.bound_viewpoint_now;
+  packed->bound_background = scene.bound_background;
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   pack_clip_planes(scene, *packed);
@@ -196,6 +203,7 @@ void Assembler::add_scene(SceneParts& parts) {
     });
     if (drawn) packed->shapes.push_back(pack_shape(parts, i, meshes.at(plan.mesh.get()), {programs, textures}));
   }
+  pack_live_meshes(parts, meshes, *packed);
   if (parts.library) package_.effects.push_back(pack_effect(*parts.library, programs));
   package_.scenes.push_back(std::move(packed));
 }

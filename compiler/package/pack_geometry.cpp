@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "mesh/live_vertices.h"
 #include "package/pack_attributes.h"
 
 namespace plugc {
@@ -61,7 +62,8 @@ std::unique_ptr<PackedMeshT> pack_mesh(const Mesh& mesh, std::uint32_t units) {
   const std::uint32_t normal = mesh.normals.empty() ? 0 : writer.add_stream(PackedSemantic::normal, 0, 3);
   std::vector<std::pair<std::uint32_t, std::uint8_t>> coords;  // offset, components
   for (std::size_t unit = 0; unit < mesh.tex_coords.size(); ++unit) {
-    const std::uint8_t components = needs_four(mesh.tex_coords[unit]) ? 4 : 2;
+    const bool four = needs_four(mesh.tex_coords[unit]) || fed_width(mesh, static_cast<unsigned>(unit)) > 2;
+    const std::uint8_t components = four ? 4 : 2;
     coords.emplace_back(writer.add_stream(PackedSemantic::tex_coord, static_cast<std::uint8_t>(unit), components), components);
   }
   if (!coords.empty()) {

@@ -139,6 +139,7 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
   packed->cull_back = plan.mesh->solid;
   packed->front_cw = !plan.mesh->ccw;
   packed->own_scene_of = shape.own_scene_of;
+  packed->background = shape.background;
   packed->wireframe = shape.shading == Shading::wireframe;
   packed->blended = plan.blended;
   packed->blend_source = static_cast<PackedBlendFactor>(shape.blend.source);

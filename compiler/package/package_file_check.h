@@ -103,5 +103,7 @@ bool check_events(SceneCheck& scene, const Place& place);
 /// Rendered textures and screen effects.
 bool check_offscreen(SceneCheck& scene, const Place& place);
 bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place);
+/// Meshes whose vertices follow slots.
+bool check_live_meshes(SceneCheck& scene, const Place& place);
 
 }  // namespace plugc

@@ -30,8 +30,20 @@ Arity arity_of(PackedEventKind kind) {
     case PackedEventKind::integer_trigger: return {2, 1};
     case PackedEventKind::boolean_trigger:
     case PackedEventKind::time_trigger: return {1, 1};
+    case PackedEventKind::bind_stack:
+    case PackedEventKind::choose:
+    case PackedEventKind::script: return {};
   }
   return {};
+}
+
+/// A stack has a slot for each of its nodes, and what is chosen as many as it is chosen from.
+bool has_slots_of_kind(const PackedEventNode& node) {
+  const std::size_t inputs = node.inputs()->size(), outputs = node.outputs()->size();
+  if (node.kind() == PackedEventKind::bind_stack) return outputs == 1 + 2 * inputs;
+  if (node.kind() == PackedEventKind::choose) return inputs >= 2 && outputs == 1;
+  const Arity arity = arity_of(node.kind());
+  return inputs == arity.inputs && outputs == arity.outputs;
 }
 
 /// Numbers that a slot holds; 0 for none.
@@ -39,6 +51,15 @@ std::uint64_t slot_size(const PackedScene& scene, std::uint32_t index) {
   if (index >= scene.slots()->size()) return 0;
   const PackedSlot& slot = *scene.slots()->Get(index);
   return std::uint64_t{slot.count()} * component_count(slot.type());
+}
+
+/// All but the index are values of one size.
+bool check_choices(SceneCheck& scene, const PackedEventNode& node, std::uint64_t size, const Place& place) {
+  for (flatbuffers::uoffset_t i = 1; i < node.inputs()->size(); ++i) {
+    const std::uint64_t held = slot_size(scene.scene, node.inputs()->Get(i));
+    if (held < size) return scene.check.fail(place, fmt::format("choice {} has {} numbers, not {}", i, held, size));
+  }
+  return true;
 }
 
 /// What the kind's arithmetic takes for granted of the value that is sent.
@@ -57,6 +78,7 @@ bool check_width(SceneCheck& scene, const PackedEventNode& node, const Place& pl
     case PackedEventKind::interpolate_rotation:
     case PackedEventKind::squad: return is(0, 4);
     case PackedEventKind::camera: return is(0, 16) && is(1, 16) && is(2, 9) && is(3, 9);
+    case PackedEventKind::choose: return check_choices(scene, node, width(0), place);
     case PackedEventKind::proximity_sensor: return is(0, 1) && is(1, 1) && is(2, 1) && is(3, 3) && is(4, 4);
     default: break;
   }
@@ -67,6 +89,10 @@ bool check_width(SceneCheck& scene, const PackedEventNode& node, const Place& pl
 }
 
 bool check_subject(SceneCheck& scene, const PackedEventNode& node, const Place& place) {
+  if (node.kind() == PackedEventKind::bind_stack) {
+    return is_index_or_none(node.subject(), node.inputs()->size()) ||
+           scene.check.fail(place, fmt::format("node {} of the stack does not exist", node.subject()));
+  }
   if (node.kind() == PackedEventKind::camera) {
     return is_index_or_none(node.subject(), scene.scene.viewpoints()->size()) ||
            scene.check.fail(place, fmt::format("viewpoint {} does not exist", node.subject()));
@@ -79,9 +105,7 @@ bool check_subject(SceneCheck& scene, const PackedEventNode& node, const Place& 
 bool check_node(SceneCheck& scene, const PackedEventNode& node, const Place& place) {
   PackageCheck& check = scene.check;
   if (!is_enumerator(node.kind())) return check.fail(place, "its kind is unknown");
-  const Arity arity = arity_of(node.kind());
-  if (node.inputs()->size() != arity.inputs || node.outputs()->size() != arity.outputs)
-    return check.fail(place, "it has not the slots of its kind");
+  if (!has_slots_of_kind(node)) return check.fail(place, "it has not the slots of its kind");
   const auto is_slot = [&](std::uint32_t slot, const Place& at) { return scene.slot(at, "it", slot, 1); };
   return check.each(&place, "input", *node.inputs(), is_slot) && check.each(&place, "output", *node.outputs(), is_slot) &&
          check_width(scene, node, place) && check_subject(scene, node, place);

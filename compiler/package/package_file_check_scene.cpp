@@ -142,7 +142,9 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          (packed.viewpoints()->size() == 0 || is_index_or_none(packed.bound_viewpoint(), packed.viewpoints()->size()) ||
           check.fail(place, fmt::format("its bound viewpoint {} does not exist", packed.bound_viewpoint()))) &&
          check_offscreen(scene, place) && scene.slot(place, "background color", packed.background_color(), 3) &&
-         check_events(scene, place);
+         scene.slot(place, "bound viewpoint", packed.bound_viewpoint_now(), 1) &&
+         scene.slot(place, "bound background", packed.bound_background(), 1) && check_events(scene, place) &&
+         check_live_meshes(scene, place);
 }
 
 }  // namespace plugc

@@ -72,7 +72,8 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
     case PackedSource::screen_depth:
     case PackedSource::screen_width:
     case PackedSource::screen_height:
-    case PackedSource::target_size: return true;
+    case PackedSource::target_size:
+    case PackedSource::mirror_projector_matrix: return true;
   }
   return check.fail(place, "its source is unknown");
 }

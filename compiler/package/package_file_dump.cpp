@@ -266,6 +266,7 @@ void dump_states(Text& text, const Package& package, const PackedShape& shape) {
 void dump_shape(Text& text, const Package& package, const PackedShape& shape, std::size_t index) {
   line(text, "  shape {} {}: transform {}, mesh {}, program {}", index, quoted(*shape.name()), shape.transform(), shape.mesh(),
        shape.program());
+  if (shape.background() >= 0) line(text, "    while background {} is bound", shape.background());
   line(text, "    {}{}{}{}{}{}", shape.layer() == PackedLayer::backdrop ? "backdrop, " : "",
        shape.cull_back() ? "culls backs" : "two-sided", shape.front_cw() ? ", clockwise" : "",
        shape.wireframe() ? ", wireframe" : "",
@@ -305,6 +306,27 @@ void dump_events(Text& text, const PackedScene& scene) {
   }
   if (scene.routes() == nullptr) return;
   for (const PackedRoute* route : *scene.routes()) line(text, "  route slot {} to slot {}", route->from(), route->to());
+}
+
+void dump_live_mesh(Text& text, const PackedLiveMesh& live) {
+  line(text, "  live mesh {}{}", live.mesh(), live.normals() == nullptr ? "" : ", normals are made");
+  for (const PackedVertexFeed* feed : *live.feeds()) {
+    line(text, "    {} {} from slot {}, {} numbers each, elements: {}", EnumNamePackedSemantic(feed->semantic()), feed->unit(),
+         feed->slot(), feed->width(), sized(*feed->elements(), "numbers"));
+  }
+  if (const PackedMadeNormals* made = live.normals())
+    line(text, "    {} faces{}, least cosine {:g}, corners: {}", made->face_ends()->size(),
+         made->clockwise() ? ", clockwise" : "", made->least_cosine(), sized(*made->corners(), "numbers"));
+  for (flatbuffers::uoffset_t i = 0; live.box_coords() != nullptr && i < live.box_coords()->size(); ++i)
+    line(text, "    coordinates {} lie over the box: {}", live.box_coords()->Get(i)->unit(),
+         EnumNamePackedBoxLayout(live.box_coords()->Get(i)->layout()));
+  if (live.tangent_unit() >= 0) line(text, "    tangents run along coordinates {}", live.tangent_unit());
+}
+
+/// What is bound now, where that changes.
+void dump_bindings_now(Text& text, const PackedScene& scene) {
+  if (scene.bound_viewpoint_now() != kNoSlot) line(text, "  slot {} is the bound viewpoint", scene.bound_viewpoint_now());
+  if (scene.bound_background() != kNoSlot) line(text, "  slot {} is the bound background", scene.bound_background());
 }
 
 void dump_rendered_texture(Text& text, const PackedRenderedTexture& texture, std::size_t index) {
@@ -348,7 +370,10 @@ void dump_scene(Text& text, const Package& package, const PackedScene& scene, st
     line(text, "  bound viewpoint {}", scene.bound_viewpoint());
   each(*scene.projectors(),
        [&](const PackedViewpoint& viewpoint, std::size_t i) { dump_viewpoint(text, "projector", viewpoint, i); });
+  dump_bindings_now(text, scene);
   dump_events(text, scene);
+  if (scene.live_meshes() != nullptr)
+    each(*scene.live_meshes(), [&](const PackedLiveMesh& live, std::size_t) { dump_live_mesh(text, live); });
   if (scene.rendered_textures() != nullptr)
     each(*scene.rendered_textures(),
          [&](const PackedRenderedTexture& texture, std::size_t i) { dump_rendered_texture(text, texture, i); });

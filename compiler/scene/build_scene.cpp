@@ -1,6 +1,7 @@
 // The walk, and what can be said only when all is visited: which global lights shine, which fog and background are bound.
 
 #include "scene/library_effects.h"
+#include "scene/scene_bindings.h"
 #include "scene/scene_events.h"
 #include "scene/scene_walk.h"
 
@@ -14,6 +15,10 @@ constexpr double kDefaultSky = 26.0 / 255.0;
 /// The reference engine adds this much of each material's ambient colour (OpenGL's default light model), measured.
 constexpr double kGlobalAmbient = 0.2;
 
+std::uint32_t default_sky(SceneContext& context) {
+  return context.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
+}
+
 /// A host may write what it has announced, even where nothing of the scene reads it.
 void add_dynamic_slots(SceneContext& context) {
   for (const DynamicField& field : context.dynamic) context.slots.declared_slot(field.node, field.name);
@@ -26,13 +31,14 @@ void SceneWalk::run() {
   const std::vector<NodeId> stage = alone ? library_stage_roots(graph_) : std::vector<NodeId>();
   const std::span<const NodeId> roots = alone ? std::span<const NodeId>(stage) : graph_.roots();
   check_top(roots);
+  find_changing_stacks(context_);
   visit_list(roots);
+  finish_bindings();
   add_background();
   if (context_.options.all_branches) add_unreached_effects();
   finish_shapes(0);
   context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
-  if (!background_.valid())
-    context_.scene.background_color = context_.slots.constant(SlotType::vec3, {kDefaultSky, kDefaultSky, kDefaultSky});
+  if (context_.scene.background_color == kSceneNoSlot) context_.scene.background_color = default_sky(context_);
   visit_own_scenes();
   sort_rendered_textures(context_);
   finish_lights(context_, appearances_);
@@ -40,10 +46,33 @@ void SceneWalk::run() {
   if (alone) place_alone(context_);
 }
 
+/// What events bind, other than Backgrounds.
+void SceneWalk::finish_bindings() {
+  if (stack(BindKind::viewpoint).changes) context_.scene.bound_viewpoint_now = bound_index(context_, BindKind::viewpoint);
+  const BindStack& fogs = stack(BindKind::fog);
+  if (fogs.changes && !fogs.nodes.empty()) bound_fog_ = add_changing_fog(context_);
+}
+
 /// Its shapes stand behind those of the world.
 void SceneWalk::add_background() {
-  if (background_.valid()) add_backdrop(context_, background_, background_transform_);
+  if (stack(BindKind::background).changes)
+    add_changing_background();
+  else if (background_.valid())
+    add_backdrop(context_, background_, background_transform_);
   appearances_.resize(context_.scene.shapes.size());
+}
+
+/// Of all that can be bound, each for its number.
+void SceneWalk::add_changing_background() {
+  const BindStack& backgrounds = stack(BindKind::background);
+  std::vector<SceneShape>& shapes = context_.scene.shapes;
+  context_.scene.bound_background = bound_index(context_, BindKind::background);
+  context_.scene.background_color = bound_sky_color(context_, default_sky(context_));
+  for (std::size_t i = 0; i < backgrounds.nodes.size(); ++i) {
+    const std::size_t first = shapes.size();
+    add_backdrop(context_, backgrounds.nodes[i], backgrounds.transforms[i]);
+    for (std::size_t k = first; k < shapes.size(); ++k) shapes[k].background = static_cast<int>(i);
+  }
 }
 
 /// Effects that no shape shows (in an unused prototype, say) are tried on a copy of the first shape.
@@ -74,7 +103,10 @@ void SceneWalk::add_unreached_effects() {
 /// Gives the shapes of the scene that ends here, from `first` on, what all of them have.
 void SceneWalk::finish_shapes(std::size_t first) {
   const std::size_t headlight = context_.scene.lights.size();
-  add_headlight(context_, navigation_info_);
+  if (own_scene_of_ < 0 && stack(BindKind::navigation_info).changes)
+    add_changing_headlight(context_);
+  else
+    add_headlight(context_, navigation_info_);
   if (context_.scene.lights.size() > headlight) global_lights_.push_back(static_cast<int>(headlight));
   for (std::size_t i = first; i < context_.scene.shapes.size(); ++i) {
     SceneShape& shape = context_.scene.shapes[i];

@@ -1,9 +1,11 @@
 // Two walks over the routes: forward from what makes events by itself (clocks, the camera, the host), and backward from what
-// is drawn. Both pass through the nodes that make events of events.
+// is drawn. Both pass through the nodes that make events of events, and from what binds a node to all that it binds or unbinds.
 
 #include "scene/event_flow.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace plugc {
 namespace {
@@ -16,9 +18,15 @@ bool starts_by_itself(const NodeGraph& graph, NodeId sensor) {
   return graph.boolean(sensor, "enabled") && (graph.boolean(sensor, "loop") || graph.number(sensor, "startTime") > 0);
 }
 
-bool is_source(const NodeGraph& graph, NodeId node, const EventNodeInfo& info, const std::set<NodeId>& placed) {
+/// `placed`: null for all.
+bool is_source(const NodeGraph& graph, NodeId node, const EventNodeInfo& info, const std::set<NodeId>* placed) {
   if (info.kind == EventKind::time_sensor) return starts_by_itself(graph, node);
-  return (info.kind == EventKind::proximity_sensor || info.kind == EventKind::camera) && placed.contains(node);
+  const bool looks = info.kind == EventKind::proximity_sensor || info.kind == EventKind::camera;
+  return looks && (placed == nullptr || placed->contains(node));
+}
+
+bool says_what_is_bound(std::string_view field) {
+  return field == "isBound" || field == "bindTime";
 }
 
 class Walk {
@@ -49,24 +57,68 @@ class Walk {
   std::vector<EventField> work_;
 };
 
-}  // namespace
-
-EventFlow find_event_flow(const NodeGraph& graph, std::span<const EventField> drawn, std::span<const DynamicField> dynamic,
-                          const std::set<NodeId>& placed) {
+/// The routes of a graph from both of their ends, and what binding leads to.
+struct Links {
   RoutesByField leaving, arriving;
-  for (const GraphRoute& route : graph.routes()) {
-    leaving[{route.from, route.from_field}].emplace_back(route.to, route.to_field);
-    arriving[{route.to, route.to_field}].emplace_back(route.from, route.from_field);
+  std::array<std::optional<EventField>, kBindKinds> stacks = {};  ///< A field of no node's: what binds leads there.
+
+  explicit Links(const NodeGraph& graph) {
+    for (const GraphRoute& route : graph.routes()) {
+      add({route.from, route.from_field}, {route.to, route.to_field});
+      if (const auto kind = bind_kind(graph, route.to); kind && route.to_field == "set_bind")
+        add({route.to, route.to_field}, stack(*kind, route.to));
+      if (const auto kind = bind_kind(graph, route.from); kind && says_what_is_bound(route.from_field))
+        add(stack(*kind, route.from), {route.from, route.from_field});
+    }
   }
-  Walk forward(graph), backward(graph);
-  for (const auto& [field, receivers] : leaving) {
+
+ private:
+  void add(const EventField& from, const EventField& to) {
+    leaving[from].push_back(to);
+    arriving[to].push_back(from);
+  }
+  EventField stack(BindKind kind, NodeId node) {
+    std::optional<EventField>& known = stacks[static_cast<std::size_t>(kind)];
+    if (!known) known = EventField(node, "");
+    return *known;
+  }
+};
+
+std::set<EventField> find_live(const NodeGraph& graph, const Links& links, std::span<const DynamicField> dynamic,
+                               const std::set<NodeId>* placed) {
+  Walk forward(graph);
+  for (const auto& [field, receivers] : links.leaving) {
     const EventNodeInfo* info = find_event_node(graph[field.first].info->name);
     if (info == nullptr || find_field_index(info->outputs, field.second) < 0) continue;
     if (is_source(graph, field.first, *info, placed)) forward.reach(field);
   }
+  for (const auto& stack : links.stacks) {
+    if (stack) forward.reach(*stack);  // when the scene is loaded, the first of its kind is bound
+  }
   for (const DynamicField& field : dynamic) forward.reach({field.node, field.name});
+  return forward.run(links.leaving, true);
+}
+
+}  // namespace
+
+std::optional<BindKind> bind_kind(const NodeGraph& graph, NodeId node) {
+  if (graph.is(node, "Viewpoint") || graph.is(node, "OrthoViewpoint")) return BindKind::viewpoint;
+  if (graph.is(node, "Background") || graph.is(node, "TextureBackground")) return BindKind::background;
+  if (graph.is(node, "NavigationInfo") || graph.is(node, "KambiNavigationInfo")) return BindKind::navigation_info;
+  return graph.is(node, "Fog") ? std::optional(BindKind::fog) : std::nullopt;
+}
+
+std::set<EventField> find_live_fields(const NodeGraph& graph, std::span<const DynamicField> dynamic) {
+  if (graph.routes().empty() && dynamic.empty()) return {};
+  return find_live(graph, Links(graph), dynamic, nullptr);
+}
+
+EventFlow find_event_flow(const NodeGraph& graph, std::span<const EventField> drawn, std::span<const DynamicField> dynamic,
+                          const std::set<NodeId>& placed) {
+  const Links links(graph);
+  Walk backward(graph);
   for (const EventField& field : drawn) backward.reach(field);
-  return {forward.run(leaving, true), backward.run(arriving, false)};
+  return {find_live(graph, links, dynamic, &placed), backward.run(links.arriving, false)};
 }
 
 }  // namespace plugc

@@ -3,6 +3,7 @@
 // of transforms. Everything that a ROUTE or a host may change is a slot; everything else refers to slots by number.
 // Plain data: indices into the lists of one Scene, -1 for none.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@
 #include "scene/node_graph.h"
 #include "scene/shadow_choice.h"
 #include "scene/shadow_method.h"
+#include "scene/vertex_field.h"
+#include "script/script.h"
 
 namespace plugc {
 
@@ -86,7 +89,7 @@ using SceneShader = SceneEffect;
 
 /// What reads a texture in GLSL: a sampler of that kind. A ShaderTexture is code alone and has none.
 enum class TextureKind : std::uint8_t { image_2d, image_3d, cube, shadow_2d, shader, shadow_cube };
-enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
+enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat, clamp_to_border };
 
 enum class TextureFilter : std::uint8_t { nearest, linear, linear_mipmap_linear, nearest_mipmap_nearest };
 
@@ -108,8 +111,9 @@ struct SceneTexture {
   bool moments = false;                          ///< Of the same: the moments of depth, as a picture.
   DepthCompare compare = DepthCompare::less_equal;
   std::vector<int> effects;
-  int rendered = -1;                   ///< Into rendered_textures: the renderer draws it.
-  std::string_view url_field = "url";  ///< Of the node: where its file is named. A Background has one for each side.
+  int rendered = -1;                     ///< Into rendered_textures: the renderer draws it.
+  std::string_view url_field = "url";    ///< Of the node: where its file is named. A Background has one for each side.
+  std::array<double, 4> border_color{};  ///< Beyond the edges of one that is clamped to its border: RGBA.
 };
 
 /// Texture coordinates of one unit: X3D 4.1 clauses 18.4.8 and 33.4. Slots; `matrix` stands for all others.
@@ -166,7 +170,8 @@ enum class CoordGenerator : std::uint8_t {
   world_space_reflection,
   projection,
   noise,
-  noise_eye
+  noise_eye,
+  mirror_plane  ///< Where the vertex is in a picture that the shape, as a flat mirror, shows the viewer.
 };
 
 /// What a material does with a texture (X3D 4.1, 12.4). The main ones make the diffuse, base or emissive colour; each other
@@ -241,13 +246,14 @@ struct SceneMaterial {
   std::uint32_t specular = kSceneNoSlot, emissive = kSceneNoSlot, shininess = kSceneNoSlot, transparency = kSceneNoSlot;
 };
 
-/// X3D 4.1, clause 24: how colours change into the fog's with their distance.
-enum class FogKind : std::uint8_t { none, linear, exponential };
+/// X3D 4.1, clause 24: how colours change into the fog's with their distance. `either`: as a slot of the fog says.
+enum class FogKind : std::uint8_t { none, linear, exponential, either };
 
 struct SceneFog {
   FogKind kind = FogKind::linear;
   int transform = -1;  ///< In whose units the visibility range is.
   std::uint32_t color = kSceneNoSlot, visibility_range = kSceneNoSlot;
+  std::uint32_t exponential = kSceneNoSlot;  ///< Of `either`: not 0 for an exponential one.
 };
 
 enum class BlendFactor : std::uint8_t {
@@ -328,6 +334,7 @@ struct SceneShape {
   std::optional<Box> bounds;          ///< bboxSize and bboxCenter, where they are written.
   int own_scene_of = -1;              ///< It stands in the scene that this rendered texture has of its own; -1: in the world.
   ScenePart part = ScenePart::world;  ///< Of the backdrop: `node` and `geometry` are the Background.
+  int background = -1;                ///< Of the backdrop, where another may be bound: the number of its Background.
   AlphaMode alpha_mode = AlphaMode::automatic;
   std::uint32_t alpha_cutoff = kSceneNoSlot;
   std::vector<int> clip_planes;  ///< From the outermost in.
@@ -340,6 +347,7 @@ struct SceneViewpoint {
   int transform = -1;
   bool orthographic = false;
   std::uint32_t position = kSceneNoSlot, orientation = kSceneNoSlot, field_of_view = kSceneNoSlot;
+  std::uint32_t direction = kSceneNoSlot, up = kSceneNoSlot;  ///< In place of the orientation, where direction is not 0.
 };
 
 /// What projects texture coordinates: a viewpoint, which need not stand among those to look through, or a light.
@@ -351,6 +359,11 @@ struct SceneProjector {
 /// What a rendered texture holds: colours, the depths of a view as grey, or what is seen all around a shape.
 enum class RenderedKind : std::uint8_t { color, depth, cube };
 
+/// While a rendered texture is drawn, the slot `to` holds what `from` holds.
+struct SlotLoan {
+  std::uint32_t from = kSceneNoSlot, to = kSceneNoSlot;
+};
+
 /// A RenderedTexture or GeneratedCubeMapTexture; fields as PackedRenderedTexture has them.
 struct SceneRenderedTexture {
   NodeId node;
@@ -360,7 +373,12 @@ struct SceneRenderedTexture {
   int viewpoint = -1;  ///< Into projectors.
   bool own_scene = false;
   std::uint32_t background_color = kSceneNoSlot;
-  std::vector<std::uint32_t> rendering_slots;  ///< That ROUTEs from its `rendering` write.
+  std::vector<std::uint32_t> rendering_slots;                  ///< That ROUTEs from its `rendering` write.
+  std::vector<std::uint32_t> viewing_slots, projection_slots;  ///< Likewise.
+  bool in_mirror = false;                            ///< Seen from the viewer's place behind the shape, as in a mirror.
+  std::uint32_t distance_from_shape = kSceneNoSlot;  ///< Of such a one: what is nearer to the mirror is not seen.
+  bool own_backdrop = false;    ///< Around it are the backdrop shapes whose `own_scene_of` it is, not the world's.
+  std::vector<SlotLoan> loans;  ///< Its own fog, in place of the world's.
 };
 
 /// A ScreenEffect with the shader that it uses.
@@ -390,15 +408,19 @@ enum class EventKind : std::uint8_t {
   boolean_toggle,
   boolean_trigger,
   integer_trigger,
-  time_trigger
+  time_trigger,
+  bind_stack,
+  choose,
+  script
 };
 
-/// A node whose events reach something that is drawn.
+/// A node whose events reach something that is drawn, or one of the renderer's own that says what is bound.
 struct SceneEventNode {
   EventKind kind = EventKind::time_sensor;
-  NodeId node;
+  NodeId node;                                 ///< Not valid for one of the renderer's own.
   std::vector<std::uint32_t> inputs, outputs;  ///< Slots; none where nothing of the scene is different from the default.
-  int subject = -1;                            ///< The transform of a proximity sensor, the viewpoint of a camera.
+  int subject = -1;  ///< The transform of a proximity sensor, the viewpoint of a camera, the first that a stack binds.
+  std::optional<ScriptProgram> script;  ///< Of a Script, whose inputs and outputs are its fields in order.
 };
 
 /// An event at the slot `from` is one at `to`.
@@ -429,6 +451,9 @@ struct Scene {
   std::vector<SceneEventNode> event_nodes;              ///< In the order in which they are evaluated.
   std::vector<SceneRoute> routes;                       ///< In order.
   std::vector<std::string> known_dynamic;               ///< Of SceneOptions::dynamic: what names a node of this scene.
+  std::vector<VertexField> vertex_fields;               ///< In order.
+  /// What is bound now, where events may change that; as PackedScene has them.
+  std::uint32_t bound_viewpoint_now = kSceneNoSlot, bound_background = kSceneNoSlot;
   std::uint32_t background_color = kSceneNoSlot;
   std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
 };

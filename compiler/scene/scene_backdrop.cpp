@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "scene/scene_context.h"
+#include "scene/scene_events.h"
 
 namespace plugc {
 namespace {
@@ -32,11 +33,13 @@ bool has_gradient(const NodeGraph& graph, NodeId background) {
   return is_divided("skyColor", "skyAngle") || is_divided("groundColor", "groundAngle");
 }
 
-/// A gradient is a mesh. (One colour alone is a slot, which events do reach.)
+/// A gradient is a mesh. (One colour alone is a slot, which events do reach. What is sent there by a node whose events are not
+/// made is told of with the other events.)
 void report_events_to_gradient(const SceneContext& context, NodeId background) {
   constexpr std::string_view kFields[] = {"skyColor", "skyAngle", "groundColor", "groundAngle"};
   for (const GraphRoute& route : context.graph.routes()) {
     if (route.to != background || std::ranges::find(kFields, route.to_field) == std::end(kFields)) continue;
+    if (context.slots.find(route.to, route.to_field) && is_unmade(context.graph, {route.from, route.from_field})) continue;
     context.diagnostics.report(DiagnosticId::event_ignored, route.span,
                                fmt::format("events to `{}.{}` are not followed where there is a gradient: it keeps its first "
                                            "colours",

@@ -2,14 +2,26 @@
 // What the passes that build a Scene share. Internal to the scene room: build_scene.cpp walks the tree, scene_lights.cpp,
 // scene_appearance.cpp and scene_textures.cpp turn single nodes into plain data.
 
+#include <array>
 #include <map>
 #include <set>
 #include <vector>
 
+#include "scene/event_flow.h"
 #include "scene/scene.h"
 #include "scene/scene_values.h"
 
 namespace plugc {
+
+/// The nodes of one kind that may be bound.
+struct BindStack {
+  bool changes = false;                ///< Events may bind another than the first, or none.
+  std::vector<NodeId> nodes;           ///< In the order of the document; without changes the first alone. Viewpoints are those
+                                       ///< of the scene one by one; the second place of one is not valid.
+  std::vector<int> transforms;         ///< Where they stand.
+  int first = -1;                      ///< The one that is bound at the start; -1: none.
+  std::uint32_t index = kSceneNoSlot;  ///< The slot of the one that is bound now, where somebody asks.
+};
 
 struct SceneContext {
   SceneContext(const NodeGraph& node_graph, SourceSet& source_set, FileAccess& file_access, const SceneOptions& scene_options,
@@ -20,6 +32,7 @@ struct SceneContext {
         options(scene_options),
         diagnostics(sink),
         dynamic(find_dynamic_fields(node_graph, scene_options.dynamic, scene.known_dynamic, sink)),
+        live(find_live_fields(node_graph, dynamic)),
         slots(node_graph, scene.slots, dynamic) {}
 
   const NodeGraph& graph;
@@ -29,7 +42,10 @@ struct SceneContext {
   Diagnostics& diagnostics;
   Scene scene;
   std::vector<DynamicField> dynamic;
+  std::set<EventField> live;  ///< Where events can happen while nobody touches the scene.
   SlotTable slots;
+  std::array<BindStack, kBindKinds> stacks;  ///< By BindKind.
+  std::vector<SceneEventNode> chooses;       ///< What follows from what is bound; evaluated last.
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
   std::map<NodeId, int> back_materials;               ///< Of TwoSidedMaterial: what it says of back faces.
   std::map<NodeId, int> sensor_transforms;            ///< Where each ProximitySensor stands first.
@@ -63,6 +79,9 @@ std::optional<TextureCombination> read_combination(const NodeGraph& graph, NodeI
 void read_textures(SceneContext& context, NodeId texture, NodeId transform, SceneShape& shape);
 /// Where the coordinates of the shape's textures come from; after its textures and geometry are known.
 void read_texture_coordinates(SceneContext& context, SceneShape& shape);
+
+/// Makes slots of the lists below the geometry that events may change.
+void read_vertex_fields(SceneContext& context, NodeId geometry);
 
 /// Fills what the Appearance says: material, textures, effects, shader, blending.
 void read_appearance(SceneContext& context, NodeId appearance, SceneShape& shape);

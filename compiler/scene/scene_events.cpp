@@ -12,6 +12,7 @@
 
 #include "scene/event_flow.h"
 #include "scene/event_names.h"
+#include "scene/scene_bindings.h"
 
 namespace plugc {
 namespace {
@@ -30,8 +31,8 @@ std::set<NodeId> keys(const std::map<NodeId, int>& map) {
   return result;
 }
 
-/// What decides vertices, pixels of a texture, or which of several nodes counts: all of that is done when the scene is
-/// compiled. Nodes and urls are told of by report_ignored_events().
+/// What decides vertices or pixels of a texture, as far as it has no slot: all of that is done when the scene is compiled.
+/// Nodes and urls are told of by report_ignored_events().
 bool is_fixed(const NodeGraph& graph, const EventField& field) {
   const auto is = [&](std::string_view type) { return graph.is(field.first, type); };
   const FieldInfo* info = find_field_info(*graph[field.first].info, field.second);
@@ -40,9 +41,11 @@ bool is_fixed(const NodeGraph& graph, const EventField& field) {
   return is("X3DGeometryNode") || is("X3DGeometricPropertyNode") || is("X3DFontStyleNode") || is("X3DTextureNode");
 }
 
-/// What sends from there is a node whose events plugc does not make, though they would come without anybody's hand.
+}  // namespace
+
 bool is_unmade(const NodeGraph& graph, const EventField& field) {
   const NodeId node = field.first;
+  if (bind_kind(graph, node) && (field.second == "isBound" || field.second == "bindTime")) return false;
   const bool by_hand = graph.is(node, "X3DPointingDeviceSensorNode") || graph.is(node, "X3DKeyDeviceSensorNode") ||
                        graph.is(node, "X3DNetworkSensorNode");
   if (by_hand || (graph.is(node, "RenderedTexture") && field.second == "rendering")) return false;  // the frame makes that one
@@ -52,6 +55,8 @@ bool is_unmade(const NodeGraph& graph, const EventField& field) {
   const FieldInfo* declared = find_field_info(*graph[node].info, field.second);
   return declared != nullptr && declared->access == FieldAccess::output_only;
 }
+
+namespace {
 
 void report_ignored(SceneContext& context, const GraphRoute& route, std::string_view why) {
   context.diagnostics.report(DiagnosticId::event_ignored, route.span, std::string(why));
@@ -114,7 +119,14 @@ class EventReader {
       if (flow_.carries(route)) add_route(route);
     }
     std::ranges::sort(context_.scene.routes);
-    for (const NodeId node : in_order()) add_node(node, subjects);
+    auto& made = context_.scene.event_nodes;
+    for (const NodeId node : in_order()) {
+      if (const BindStack* stack = stack_of(node))
+        made.push_back(make_stack_node(context_, *stack));
+      else
+        add_node(node, subjects);
+    }
+    made.insert(made.end(), context_.chooses.begin(), context_.chooses.end());
   }
 
  private:
@@ -123,6 +135,9 @@ class EventReader {
   std::uint32_t slot(const EventField& field);
   std::uint32_t input_slot(const EventField& field);
   std::vector<NodeId> in_order() const;
+  NodeId stack_id(std::size_t kind) const { return {static_cast<std::uint32_t>(graph_.size() + kind)}; }
+  const BindStack* stack_of(NodeId node) const;
+  void join_stacks(OrderGraph& graph) const;
 
   SceneContext& context_;
   const NodeGraph& graph_;
@@ -186,6 +201,29 @@ void EventReader::add_node(NodeId node, const std::map<NodeId, int>& subjects) {
   context_.scene.event_nodes.push_back(std::move(added));
 }
 
+/// Null for a node of the scene. A stack stands behind these.
+const BindStack* EventReader::stack_of(NodeId node) const {
+  return node.value < graph_.size() ? nullptr : &context_.stacks[node.value - graph_.size()];
+}
+
+/// A stack waits for what binds its nodes, and what they send waits for it.
+void EventReader::join_stacks(OrderGraph& graph) const {
+  for (std::size_t kind = 0; kind < context_.stacks.size(); ++kind) {
+    const EventField stack{stack_id(kind), ""};
+    const BindStack& members = context_.stacks[kind];
+    bool takes_part = members.index != kSceneNoSlot;
+    for (const NodeId node : members.nodes) {
+      if (receiving_.contains({node, "set_bind"})) graph.join({node, "set_bind"}, stack);
+      for (const std::string_view name : {"isBound", "bindTime"}) {
+        if (!sending_.contains({node, name})) continue;
+        graph.join(stack, {node, name});
+        takes_part = true;
+      }
+    }
+    if (takes_part) graph.waiting.try_emplace(stack, 0);
+  }
+}
+
 /// Kahn's order over fields and nodes: what nothing unfinished leads to comes next.
 std::vector<NodeId> EventReader::in_order() const {
   OrderGraph graph;
@@ -197,6 +235,7 @@ std::vector<NodeId> EventReader::in_order() const {
       if (receiving_.contains({node, name}) && find_field_index(info.outputs, name) < 0) graph.join({node, name}, {node, ""});
     }
   }
+  join_stacks(graph);
   for (const GraphRoute& route : graph_.routes()) {
     const EventField from{route.from, route.from_field}, to{route.to, route.to_field};
     if (sending_.contains(from) && receiving_.contains(to)) graph.join(from, to);
@@ -207,7 +246,8 @@ std::vector<NodeId> EventReader::in_order() const {
 }  // namespace
 
 void read_events(SceneContext& context) {
-  if (context.graph.routes().empty()) return;
+  if (context.graph.routes().empty() && context.chooses.empty() && context.scene.bound_viewpoint_now == kSceneNoSlot) return;
+  add_set_bind_slots(context);
   const std::map<NodeId, int> subjects = find_subjects(context);
   const std::vector<EventField> drawn = context.slots.routed_fields();
   const EventFlow flow = find_event_flow(context.graph, drawn, context.dynamic, keys(subjects));

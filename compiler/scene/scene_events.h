@@ -9,4 +9,7 @@ namespace plugc {
 /// Events that would change something drawn, but are not evaluated, are reported.
 void read_events(SceneContext& context);
 
+/// Whether what sends from there is a node whose events plugc does not make, though they would come without anybody's hand.
+bool is_unmade(const NodeGraph& graph, const EventField& field);
+
 }  // namespace plugc

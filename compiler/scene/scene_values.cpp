@@ -92,11 +92,19 @@ std::uint32_t SlotTable::interface_slot(NodeId node, const InterfaceField& field
 }
 
 std::uint32_t SlotTable::slot_of_size(NodeId node, std::string_view field, std::size_t size) {
-  if (size == 0) return kSceneNoSlot;
-  const std::vector<double> zeros(size, 0.0);
+  return slot_of_values(node, field, std::vector<double>(size, 0.0));
+}
+
+std::uint32_t SlotTable::slot_of_values(NodeId node, std::string_view field, std::span<const double> numbers) {
+  if (numbers.empty()) return kSceneNoSlot;
   FieldValue value = graph_.field(node, field);
-  value.numbers = zeros;
+  value.numbers = numbers;
   return add(node, field, value);
+}
+
+std::uint32_t SlotTable::own(SlotType type, std::vector<double> values) {
+  slots_.push_back({type, 1, std::move(values), "", true, false, kSceneNoSlot});
+  return static_cast<std::uint32_t>(slots_.size() - 1);
 }
 
 std::optional<std::uint32_t> SlotTable::find(NodeId node, std::string_view field) const {

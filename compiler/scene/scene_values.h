@@ -27,6 +27,10 @@ class SlotTable {
   std::uint32_t interface_slot(NodeId node, const InterfaceField& field);
   /// The slot of a field that holds a list of that many numbers, all zero at first; none for no numbers.
   std::uint32_t slot_of_size(NodeId node, std::string_view field, std::size_t size);
+  /// The slot of a field of the node's type that starts with these numbers; none for no numbers.
+  std::uint32_t slot_of_values(NodeId node, std::string_view field, std::span<const double> numbers);
+  /// A value of the renderer's own, which events change.
+  std::uint32_t own(SlotType type, std::vector<double> values);
   /// The slot of a field, of the node's own interface or of its type.
   std::uint32_t declared_slot(NodeId node, std::string_view field);
   /// A value that nothing changes; equal ones share a slot.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "scene/scene_bindings.h"
 
 namespace plugc {
 namespace {
@@ -162,6 +163,7 @@ void SceneWalk::visit_shape(NodeId node) {
   if (size.x >= 0 && size.y >= 0 && size.z >= 0) shape.bounds = Box{center - 0.5 * size, center + 0.5 * size};
   const NodeId appearance = graph_.child(node, "appearance");
   read_appearance(context_, appearance, shape);
+  read_vertex_fields(context_, geometry);
   read_texture_coordinates(context_, shape);
   shape.effects.insert(shape.effects.end(), effects_.begin(), effects_.end());
   shape.casts_shadow = shape.casts_shadow && graph_.boolean(node, "castShadow");
@@ -189,10 +191,12 @@ void SceneWalk::visit_viewpoint(NodeId node) {
   Scene& scene = context_.scene;
   if (inlines_ == 0 && scene.bound_viewpoint < 0) scene.bound_viewpoint = static_cast<int>(scene.viewpoints.size());
   scene.viewpoints.push_back(read_viewpoint(context_, node, transform_));
+  note_bindable(context_, node, transform_, inlines_ == 0);
 }
 
 /// The first of its kind is bound; those of an Inline are no candidates (X3D 4.1, 7.2.2).
 void SceneWalk::bind_if_first(NodeId node) {
+  if (own_scene_of_ < 0) note_bindable(context_, node, transform_, inlines_ == 0);
   if (inlines_ > 0) return;
   if (graph_.is(node, "X3DBackgroundNode") && !background_.valid()) {
     background_ = node;

@@ -75,7 +75,10 @@ class SceneWalk {
   SceneTransform condition(NodeId node, std::string_view field, int value);
 
   // What is known at the end (build_scene.cpp).
+  void finish_bindings();
   void add_background();
+  void add_changing_background();
+  const BindStack& stack(BindKind kind) const { return context_.stacks[static_cast<std::size_t>(kind)]; }
   void finish_shapes(std::size_t first);
   void visit_own_scenes();
   void add_unreached_effects();

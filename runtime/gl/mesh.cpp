@@ -78,6 +78,11 @@ Mesh upload_mesh(const Functions& gl, const PackedMesh& packed) {
   return mesh;
 }
 
+void rewrite_vertices(const Functions& gl, const Mesh& mesh, std::span<const std::uint8_t> vertices) {
+  gl.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.id());
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size()), vertices.data(), GL_DYNAMIC_DRAW);
+}
+
 WholeTarget make_whole_target(const Functions& gl) {
   constexpr std::array<float, 24> kVertices = {-1, -1, 0, 1, 0, 0, 0, 1,   //
                                                3,  -1, 0, 1, 2, 0, 0, 1,   //

@@ -34,6 +34,8 @@ Buffer make_stream_buffer(const Functions& gl);
 void write_stream(const Functions& gl, const Buffer& buffer, std::span<const float> values);
 
 Mesh upload_mesh(const Functions& gl, const PackedMesh& packed);
+/// Other vertices, as many and laid out alike.
+void rewrite_vertices(const Functions& gl, const Mesh& mesh, std::span<const std::uint8_t> vertices);
 /// A triangle over a whole target: its corners in clip space, and texture coordinates that run from 0 to 1 over the target.
 /// Most vertex stages ask for neither, and make it of gl_VertexID.
 struct WholeTarget {

@@ -30,6 +30,7 @@ GLint wrap_of(PackedWrap wrap) {
     case PackedWrap::repeat: return GL_REPEAT;
     case PackedWrap::clamp_to_edge: return GL_CLAMP_TO_EDGE;
     case PackedWrap::mirrored_repeat: return GL_MIRRORED_REPEAT;
+    case PackedWrap::clamp_to_border: return GL_CLAMP_TO_BORDER;
   }
   return GL_REPEAT;
 }

@@ -39,8 +39,9 @@ std::unique_ptr<MeasuredScene> load_measured_scene(Studio& studio, const std::ve
 JudgedScene read_judged_scene(MeasuredScene& scene) {
   JudgedScene judged;
   LoadedScene& loaded = scene.loaded;
-  loaded.world = place(*loaded.package, *loaded.packed, loaded.slots);
-  judged.surfaces = read_surfaces(*loaded.package, *loaded.packed, loaded.slots, loaded.world);
+  update_live_meshes(loaded.live_meshes, loaded.slots);
+  loaded.world = place(*loaded.package, *loaded.packed, loaded.slots, nullptr, -1, &loaded.live_meshes);
+  judged.surfaces = read_surfaces(*loaded.package, *loaded.packed, loaded.slots, loaded.world, loaded.live_meshes);
   judged.tracer = Tracer::make(judged.surfaces, judged.why_not_traced);
   return judged;
 }

@@ -19,7 +19,8 @@ constexpr std::array kRooms = {
     RoomRule{"base", ""},
     RoomRule{"stdlib_plugs", ""},
     RoomRule{"document", "base"},
-    RoomRule{"scene", "base document"},
+    RoomRule{"script", "base"},
+    RoomRule{"scene", "base document script"},
     RoomRule{"mesh", "base scene"},
     RoomRule{"image", "base scene"},
     RoomRule{"glsl", "base"},
@@ -47,6 +48,7 @@ struct Prefix {
 constexpr std::array kPrefixes = {
     Prefix{"compiler/base/", "base"},
     Prefix{"compiler/document/", "document"},
+    Prefix{"compiler/script/", "script"},
     Prefix{"compiler/scene/", "scene"},
     Prefix{"compiler/mesh/", "mesh"},
     Prefix{"compiler/image/", "image"},

@@ -58,6 +58,41 @@ inline PackedMeshT sample_mesh() {
   return mesh;
 }
 
+/// The second mesh: what a live one may follow.
+inline PackedMeshT sample_moving_mesh() {
+  PackedMeshT mesh;
+  mesh.vertex_count = 3;
+  mesh.stride = 48;
+  mesh.streams = {{PackedSemantic::position, 0, 3, 0},
+                  {PackedSemantic::normal, 0, 3, 12},
+                  {PackedSemantic::tex_coord, 0, 2, 24},
+                  {PackedSemantic::tangent, 0, 4, 32}};
+  mesh.vertices.resize(144);
+  mesh.indices = {0, 1, 2};
+  mesh.bounds_min = std::make_unique<PackedVec3>(0, 0, 0);
+  mesh.bounds_max = std::make_unique<PackedVec3>(1, 1, 1);
+  return mesh;
+}
+
+/// Two of its vertices follow the one element of a slot.
+inline PackedLiveMeshT sample_live_mesh() {
+  PackedLiveMeshT live;
+  live.mesh = 1;
+  live.feeds.push_back(std::make_unique<PackedVertexFeedT>());
+  live.feeds.back()->width = 3;
+  live.feeds.back()->slot = kSampleColor;
+  live.feeds.back()->elements = {0, 0, UINT32_MAX};
+  live.normals = std::make_unique<PackedMadeNormalsT>();
+  live.normals->face_ends = {3};
+  live.normals->corners = {0, 1, 2};
+  live.normals->vertex_faces = {0, 0, 0};
+  live.normals->vertex_points = {0, 1, 1};
+  live.normals->least_cosine = 0.5F;
+  live.box_coords = {{0, PackedBoxLayout::longest_sides}};
+  live.tangent_unit = 0;
+  return live;
+}
+
 inline PackedImageT sample_image() {
   PackedImageT image;
   image.width = 2;
@@ -136,7 +171,19 @@ inline PackedSceneT sample_scene() {
   scene.event_nodes.back()->kind = PackedEventKind::interpolate;
   scene.event_nodes.back()->inputs = {kSampleScalar, kSampleScalar, kSampleColor};
   scene.event_nodes.back()->outputs = {kSampleColor};
+  scene.event_nodes.push_back(std::make_unique<PackedEventNodeT>());
+  scene.event_nodes.back()->kind = PackedEventKind::bind_stack;
+  scene.event_nodes.back()->inputs = {kSampleScalar};
+  scene.event_nodes.back()->outputs = {kNoSlot, kNoSlot, kNoSlot};
+  scene.event_nodes.back()->subject = 0;
+  scene.event_nodes.push_back(std::make_unique<PackedEventNodeT>());
+  scene.event_nodes.back()->kind = PackedEventKind::choose;
+  scene.event_nodes.back()->inputs = {kSampleScalar, kSampleColor, kSampleColor};
+  scene.event_nodes.back()->outputs = {kSampleColor};
   scene.routes = {{kSampleColor, kSampleColor}};
+  scene.live_meshes.push_back(std::make_unique<PackedLiveMeshT>(sample_live_mesh()));
+  scene.bound_viewpoint_now = kSampleScalar;
+  scene.bound_background = kSampleScalar;
   scene.rendered_textures.push_back(std::make_unique<PackedRenderedTextureT>(sample_rendered_texture()));
   scene.screen_effects.push_back(std::make_unique<PackedScreenEffectT>(sample_screen_effect()));
   return scene;
@@ -163,6 +210,7 @@ inline PackageT sample_package() {
   package.programs.push_back(std::make_unique<PackedProgramT>(sample_program()));
   package.programs.push_back(std::make_unique<PackedProgramT>(sample_program()));
   package.meshes.push_back(std::make_unique<PackedMeshT>(sample_mesh()));
+  package.meshes.push_back(std::make_unique<PackedMeshT>(sample_moving_mesh()));
   package.images.push_back(std::make_unique<PackedImageT>(sample_image()));
   package.textures.push_back(std::make_unique<PackedTextureT>());
   package.scenes.push_back(std::make_unique<PackedSceneT>(sample_scene()));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/box_texture.h"
+#include "base/box_texture.h"
 #include "tests/support/mesh_from_text.h"
 
 namespace plugc {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mesh/box_texture.h"
+#include "base/box_texture.h"
 #include "tests/support/mesh_from_text.h"
 
 namespace plugc {

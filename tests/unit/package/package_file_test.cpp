@@ -294,7 +294,7 @@ TEST(PackageFile, ChecksShapes) {
   const auto after = [](const std::function<void(PackedShapeT&)>& change) {
     return error_after([&](PackageT& p) { change(*p.scenes[0]->shapes[0]); });
   };
-  EXPECT_EQ(after([](PackedShapeT& s) { s.mesh = 1; }), "scene 0, shape 0: mesh 1 does not exist, there are 1");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.mesh = 2; }), "scene 0, shape 0: mesh 2 does not exist, there are 2");
   EXPECT_EQ(after([](PackedShapeT& s) { s.program = 2; }), "scene 0, shape 0: program 2 does not exist, there are 2");
   EXPECT_EQ(after([](PackedShapeT& s) { s.depth_program = -2; }), "scene 0, shape 0: depth program -2 does not exist");
   EXPECT_EQ(after([](PackedShapeT& s) { s.depth_program = -1; }),

@@ -1,7 +1,7 @@
 // The axes of the box are sorted by length, stably, so that ties keep the order x, y, z; the first gives S, the second T, and
 // both are divided by the first's length.
 
-#include "mesh/box_texture.h"
+#include "base/box_texture.h"
 
 #include <algorithm>
 #include <array>
