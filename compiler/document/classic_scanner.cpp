@@ -67,6 +67,15 @@ Name ClassicScanner::take_word() {
   return {word, span_from(begin)};
 }
 
+Name ClassicScanner::take_bare() {
+  constexpr std::string_view kEnds = " \t\r\n,\"[]{}";
+  const std::uint32_t begin = offset();
+  const char* const bare_end = std::find_if(at_, end_, [&](char c) { return kEnds.find(c) != std::string_view::npos; });
+  const std::string_view bare(at_, static_cast<std::size_t>(bare_end - at_));
+  if (!bare.empty()) finish_token(bare_end);
+  return {bare, span_from(begin)};
+}
+
 bool ClassicScanner::brace_follows_word() const {
   ClassicScanner ahead = *this;
   return !ahead.take_word().empty() && ahead.next() == '{';

@@ -45,6 +45,9 @@ class ClassicScanner {
     return {word_, static_cast<std::size_t>(word_end_ - word_)};
   }
   Name take_word();
+  /// Whatever stands in front of white space, a comma, a quote or a bracket: names and strings as VRML 1.0 has them. It may be
+  /// empty.
+  Name take_bare();
   /// Whether `{` follows the word that is next.
   bool brace_follows_word() const;
 

@@ -103,6 +103,12 @@ class DocumentBuilder {
   void add_unit(const Name& category, const Name& name, std::string_view factor, const Span& span);
   void add_meta(const MetaSyntax& meta);
 
+  /// Counts one more item of a file, whatever it is; false once there are too many, and reading stops.
+  bool admit(const Span& place) {
+    if (items_ >= kMaxDocumentItems) stop_at_limit(place, kMaxDocumentItems, "nodes, fields and strings");
+    if (!stopped_) ++items_;
+    return !stopped_;
+  }
   /// Whether a number may be added to the document's; if not, reading stops.
   bool may_add_number(const Span& place) {
     if (document.numbers.size() >= kMaxDocumentNumbers) [[unlikely]]
@@ -128,11 +134,6 @@ class DocumentBuilder {
   OpenLists<MappedText> cdata;
 
  private:
-  bool admit(const Span& place) {
-    if (items_ >= kMaxDocumentItems) stop_at_limit(place, kMaxDocumentItems, "nodes, fields and strings");
-    if (!stopped_) ++items_;
-    return !stopped_;
-  }
   void stop_at_limit(const Span& place, std::size_t limit, std::string_view of);
   Span place_of(std::string_view part, const Span& whole) const;
   /// A name that is too long is reported and cut, so that no message quotes megabytes of it, over and over.

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "document/gltf_file.h"
-#include "document/gltf_writer.h"
+#include "document/node_writer.h"
 
 namespace plugc {
 
@@ -74,7 +74,7 @@ class GltfReader {
   Span place(GltfAt object, std::string_view member) const;
 
   GltfFile& file_;
-  GltfWriter write_;
+  NodeWriter write_;
   std::set<int> visited_;                                          // nodes
   std::map<int, Name> meshes_, textures_;                          // what was DEFined
   std::map<std::pair<int, bool>, Name> appearances_;               // of materials, lit or not

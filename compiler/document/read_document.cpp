@@ -1,4 +1,5 @@
-// The first characters tell the encoding, as its standard demands of them: `#X3D`, `#VRML V2.0`, a tag, or a brace.
+// The first characters tell the encoding, as its standard demands of them: `#X3D`, `#VRML V2.0`, `#VRML V1.0`, a tag,
+// or a brace.
 // What plugc does not read is named where that is known, so that the author learns what to convert.
 
 #include "document/read_document.h"
@@ -24,13 +25,12 @@ bool is_html(std::string_view text) {
 }
 
 std::string_view unreadable_because(std::string_view text) {
-  if (is_vrml1_header(text)) return "this is VRML 1.0; plugc reads X3D and VRML 2.0";
-  if (is_html(text)) return "this is an HTML page; plugc reads X3D and VRML 2.0";
+  if (is_html(text)) return "this is an HTML page; plugc reads X3D and VRML";
   if (text.starts_with("\x1F\x8B")) return "this file is compressed; unpack it with `gunzip` first";
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "this text is in UTF-16; save it as UTF-8";
   if (text.empty()) return "this file is empty";
-  if (text.starts_with("#Inventor")) return "this is an Open Inventor file; plugc reads X3D and VRML 2.0";
-  if (is_binary(text)) return "this file is no text; plugc reads X3D and VRML 2.0";
+  if (text.starts_with("#Inventor")) return "this is an Open Inventor file; plugc reads X3D and VRML";
+  if (is_binary(text)) return "this file is no text; plugc reads X3D and VRML";
   return "a scene begins with `#X3D V3.3 utf8`, `#VRML V2.0 utf8`, an XML tag or `{`; this text does not";
 }
 
@@ -39,7 +39,8 @@ std::string_view unreadable_because(std::string_view text) {
 Document read_document(SourceId source, const SourceSet& sources, Diagnostics& diagnostics) {
   std::string_view text = sources.text(source);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  if (is_classic_header(text) && !is_vrml1_header(text)) return read_classic(source, sources, diagnostics);
+  if (is_vrml1_header(text)) return read_vrml1(source, sources, diagnostics);
+  if (is_classic_header(text)) return read_classic(source, sources, diagnostics);
   const std::string_view content = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (content.starts_with('<') && !is_html(content)) return read_xml(source, sources, diagnostics);
   if (content.starts_with('{')) return read_json(source, sources, diagnostics);

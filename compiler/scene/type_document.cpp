@@ -33,9 +33,10 @@ NodeKind kind_of_type(const NameSpace& names, std::string_view type) {
 void DocumentTyper::type() {
   NameSpace names;
   document_.statements = type_statements(document_.statements, names);
-  if (document_.encoding != Encoding::vrml2) return;
+  const bool is_vrml1 = document_.encoding == Encoding::vrml1;
+  if (!is_vrml1 && document_.encoding != Encoding::vrml2) return;
   document_.encoding = Encoding::classic;
-  document_.version_major = 3;
+  document_.version_major = is_vrml1 ? 4 : 3;  // its unlit materials are X3D 4
   document_.version_minor = 0;
 }
 

@@ -8,12 +8,12 @@ namespace {
 TEST(Document, TellsTheEncodingByContent) {
   EXPECT_EQ(Reading("#X3D V3.2 utf8\n").document.encoding, Encoding::classic);
   EXPECT_EQ(Reading("#VRML V2.0 utf8\n").document.encoding, Encoding::vrml2);
+  EXPECT_EQ(Reading("#VRML V1.0 ascii\n").document.encoding, Encoding::vrml1);
   EXPECT_EQ(Reading("\xEF\xBB\xBF \n<X3D><Scene/></X3D>").document.encoding, Encoding::xml);
   EXPECT_EQ(Reading("\xEF\xBB\xBF\n{\"X3D\": {\"Scene\": {}}}").document.encoding, Encoding::json);
 }
 
 TEST(Document, NamesWhatItDoesNotRead) {
-  EXPECT_EQ(messages_of("#VRML V1.0 ascii\nCube { }"), "1:1 16 this is VRML 1.0; plugc reads X3D and VRML 2.0\n");
   EXPECT_EQ(messages_of("\x1F\x8B\x08xx"), "1:1 5 this file is compressed; unpack it with `gunzip` first\n");
   EXPECT_EQ(messages_of(std::string("\xFF\xFE<\0", 4)), "1:1 4 this text is in UTF-16; save it as UTF-8\n");
   EXPECT_EQ(messages_of(""), "1:1 0 this file is empty\n");

@@ -1,7 +1,7 @@
 // A name keeps its letters; what X3D does not take in a name (part 2, 5.2: blanks, quotes, `#`, commas, dots, brackets,
 // backslashes, braces, a digit or sign in front) becomes `_`, and the second of a name is `name_2`.
 
-#include "document/gltf_writer.h"
+#include "document/node_writer.h"
 
 #include <algorithm>
 #include <array>
@@ -32,50 +32,51 @@ std::string valid_name(std::string_view wanted) {
 
 }  // namespace
 
-void GltfWriter::add(std::string_view field, const ValueSyntax& value, const Span& place) {
+void NodeWriter::value(std::string_view field, const ValueSyntax& value, const Span& place) {
   build_.add_field({{field, place}, value}, place);
 }
 
-void GltfWriter::numbers(std::string_view field, std::span<const double> numbers, const Span& place) {
+void NodeWriter::numbers(std::string_view field, std::span<const double> numbers, const Span& place) {
   std::vector<double>& pool = build_.document.numbers;
   const std::size_t first = pool.size();
+  if (!numbers.empty() && !build_.may_add_number(place)) return;
   pool.insert(pool.end(), numbers.begin(), numbers.end());
   ValueSyntax value;
   value.kind = ValueKind::numbers;
   value.span = place;
   value.hold(build_.numbers_since(first));
-  add(field, value, place);
+  this->value(field, value, place);
 }
 
-void GltfWriter::numbers(std::string_view field, std::initializer_list<double> list, const Span& place) {
+void NodeWriter::numbers(std::string_view field, std::initializer_list<double> list, const Span& place) {
   numbers(field, std::span<const double>(list.begin(), list.size()), place);
 }
 
-void GltfWriter::boolean(std::string_view field, bool written, const Span& place) {
+void NodeWriter::boolean(std::string_view field, bool written, const Span& place) {
   const std::size_t first = build_.document.numbers.size();
   build_.document.numbers.push_back(written ? 1 : 0);
   ValueSyntax value;
   value.kind = ValueKind::booleans;
   value.span = place;
   value.hold(build_.numbers_since(first));
-  add(field, value, place);
+  this->value(field, value, place);
 }
 
-void GltfWriter::string(std::string_view field, std::string_view written, const Span& place) {
+void NodeWriter::string(std::string_view field, std::string_view written, const Span& place) {
   MappedText text;
   text.append_generated(written, place);
   string(field, std::move(text), place);
 }
 
-void GltfWriter::string(std::string_view field, MappedText text, const Span& place) {
+void NodeWriter::string(std::string_view field, MappedText text, const Span& place) {
   ValueSyntax value;
   value.kind = ValueKind::strings;
   value.span = place;
   value.hold(build_.add_string(std::move(text), place));
-  if (value.count != 0) add(field, value, place);
+  if (value.count != 0) this->value(field, value, place);
 }
 
-void GltfWriter::use(const Name& def, const Span& place) {
+void NodeWriter::use(const Name& def, const Span& place) {
   NodeSyntax node;
   NodeExtras extras;
   extras.use = {def.text, place};
@@ -84,7 +85,7 @@ void GltfWriter::use(const Name& def, const Span& place) {
   build_.add_list_node(node);
 }
 
-Name GltfWriter::define(std::string_view wanted, std::string_view otherwise, const Span& place) {
+Name NodeWriter::define(std::string_view wanted, std::string_view otherwise, const Span& place) {
   std::string name = valid_name(wanted.empty() ? otherwise : wanted);
   for (;;) {
     std::size_t& next = names_[name];
@@ -99,7 +100,7 @@ Name GltfWriter::define(std::string_view wanted, std::string_view otherwise, con
   return {build_.document.decoded_names.emplace_back(std::move(name)), place};
 }
 
-void GltfWriter::end_document(std::size_t mark) {
+void NodeWriter::end_document(std::size_t mark) {
   std::vector<NodeSyntax> roots;
   build_.nodes.close(mark, roots);
   const std::size_t statements = build_.statements.open();

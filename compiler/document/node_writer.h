@@ -1,6 +1,6 @@
 #pragma once
 // Nodes and fields that no text holds literally, put into a Document as a reader of text would put them. Every one has the
-// place in the glTF file that it stands for.
+// place in the file (of glTF, of VRML 1.0) that it stands for.
 
 #include <initializer_list>
 #include <span>
@@ -12,15 +12,17 @@
 namespace plugc {
 
 /// Names of fields and types are kept as they are given: they have to be literals.
-class GltfWriter {
+class NodeWriter {
  public:
-  explicit GltfWriter(DocumentBuilder& builder) : build_(builder) {}
+  explicit NodeWriter(DocumentBuilder& builder) : build_(builder) {}
 
   void numbers(std::string_view field, std::span<const double> numbers, const Span& place);
   void numbers(std::string_view field, std::initializer_list<double> numbers, const Span& place);
   void boolean(std::string_view field, bool value, const Span& place);
   void string(std::string_view field, std::string_view value, const Span& place);
   void string(std::string_view field, MappedText value, const Span& place);
+  /// A value that lies in the document's pools already.
+  void value(std::string_view field, const ValueSyntax& value, const Span& place);
 
   /// A field of nodes: what `fill` writes with node() and use().
   template <typename Fill>
@@ -31,7 +33,7 @@ class GltfWriter {
     value.kind = ValueKind::nodes;
     value.span = place;
     value.hold(build_.nodes.close(mark, build_.document.nodes));
-    if (value.count != 0) add(field, value, place);
+    if (value.count != 0) this->value(field, value, place);
   }
 
   /// A node whose fields `fill` writes.
@@ -49,7 +51,7 @@ class GltfWriter {
   }
   void use(const Name& def, const Span& place);
 
-  /// A DEF name made of a name of the glTF file, or of `otherwise`: with characters that X3D takes, and the only one of its
+  /// A DEF name made of a name of the file, or of `otherwise`: with characters that X3D takes, and the only one of its
   /// kind in the file.
   Name define(std::string_view wanted, std::string_view otherwise, const Span& place);
 
@@ -57,8 +59,6 @@ class GltfWriter {
   void end_document(std::size_t mark);
 
  private:
-  void add(std::string_view field, const ValueSyntax& value, const Span& place);
-
   DocumentBuilder& build_;
   std::unordered_map<std::string, std::size_t> names_;  // and the number that the next of that name gets
 };
