@@ -11,6 +11,12 @@
 
 namespace plugc {
 
+/// A Background and where it stands.
+struct BoundBackground {
+  NodeId node;
+  int transform = -1;
+};
+
 struct SceneContext {
   SceneContext(const NodeGraph& node_graph, SourceSet& source_set, FileAccess& file_access, const SceneOptions& scene_options,
                Diagnostics& sink)
@@ -35,6 +41,7 @@ struct SceneContext {
   std::map<NodeId, int> sensor_transforms;            ///< Where each ProximitySensor stands first.
   std::set<NodeId> screen_effects;                    ///< That were met.
   std::map<NodeId, int> own_viewpoints;               ///< Transforms of those in the scenes of rendered textures.
+  std::map<int, BoundBackground> own_backgrounds;     ///< By rendered texture.
   std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };
 
@@ -77,6 +84,9 @@ int add_clip_plane(SceneContext& context, NodeId plane, int transform);
 
 /// A Fog or LocalFog where it stands; -1 when its visibilityRange says that there is none.
 int add_fog(SceneContext& context, NodeId fog, int transform);
+/// Lets the rendered textures that show the world with a fog of their own lend it to the world's, which is added where there is
+/// none. `bound` is the world's: none yet, or -1 for one that hides nothing.
+void lend_own_fogs(SceneContext& context, std::optional<int>& bound);
 
 /// The shapes of the bound Background: its gradients and pictures.
 void add_backdrop(SceneContext& context, NodeId background, int transform);

@@ -77,6 +77,8 @@ class SceneWalk {
   // What is known at the end (build_scene.cpp).
   void add_background();
   void finish_shapes(std::size_t first);
+  void visit_own_scene(int texture);
+  void add_own_background(int texture);
   void visit_own_scenes();
   void add_unreached_effects();
 
