@@ -29,6 +29,7 @@ void SceneWalk::run() {
   visit_list(roots);
   add_background();
   if (context_.options.all_branches) add_unreached_effects();
+  separate_mirrors(context_.scene, context_.own_backgrounds);
   lend_own_fogs(context_, bound_fog_);
   finish_shapes(0);
   context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});

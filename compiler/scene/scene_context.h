@@ -96,6 +96,8 @@ int rendered_texture_index(SceneContext& context, NodeId texture);
 
 /// Takes what a rendered texture's own scene is seen through: the first Viewpoint and Background there. False for another node.
 bool bind_in_own_scene(SceneContext& context, NodeId node, int transform, int texture);
+/// Gives each of the shapes that mirror through one texture a texture of its own.
+void separate_mirrors(Scene& scene, std::map<int, BoundBackground>& own_backgrounds);
 /// Puts the textures of a texture's own scene before it.
 void sort_rendered_textures(SceneContext& context);
 

@@ -2,7 +2,9 @@
 // (34.4.2).
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -121,6 +123,33 @@ bool bind_in_own_scene(SceneContext& context, NodeId node, int transform, int in
     return false;
   }
   return true;
+}
+
+namespace {
+
+/// Another texture that shows the same, whatever that is in another shape.
+int copy_of(Scene& scene, int texture, std::map<int, BoundBackground>& own_backgrounds) {
+  SceneTexture copy = scene.textures[static_cast<std::size_t>(texture)];
+  SceneRenderedTexture rendered = scene.rendered_textures[static_cast<std::size_t>(copy.rendered)];
+  const auto background = own_backgrounds.find(copy.rendered);
+  copy.rendered = static_cast<int>(scene.rendered_textures.size());
+  if (background != own_backgrounds.end()) own_backgrounds.emplace(copy.rendered, background->second);
+  scene.rendered_textures.push_back(std::move(rendered));
+  scene.textures.push_back(std::move(copy));
+  return static_cast<int>(scene.textures.size() - 1);
+}
+
+}  // namespace
+
+void separate_mirrors(Scene& scene, std::map<int, BoundBackground>& own_backgrounds) {
+  std::set<int> taken;  // textures
+  for (SceneShape& shape : scene.shapes) {
+    for (TextureUse& use : shape.textures) {
+      const int rendered = scene.textures[static_cast<std::size_t>(use.texture)].rendered;
+      if (rendered < 0 || !scene.rendered_textures[static_cast<std::size_t>(rendered)].in_mirror) continue;
+      if (!taken.insert(use.texture).second) use.texture = copy_of(scene, use.texture, own_backgrounds);
+    }
+  }
 }
 
 namespace {
