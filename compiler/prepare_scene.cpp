@@ -62,14 +62,14 @@ std::shared_ptr<const LiveVertices> with_tangent_unit(const LiveVertices& live, 
   return result;
 }
 
-/// Meshes with a normal map get tangents, each for the coordinates that the map is read with.
+/// Meshes with a normal map get tangents, each for the coordinates that the map is read with, unless their author wrote some.
 void prepare_tangents(SceneParts& parts) {
   std::map<std::pair<const Mesh*, std::size_t>, std::shared_ptr<const Mesh>> made;
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     const auto& textures = parts.scene.shapes[i].textures;
     const auto map = std::ranges::find(textures, TextureRole::normal, &TextureUse::role);
     std::shared_ptr<const Mesh>& mesh = parts.shapes[i].mesh;
-    if (mesh == nullptr || map == textures.end() || mesh->tex_coords.empty()) continue;
+    if (mesh == nullptr || !mesh->tangents.empty() || map == textures.end() || mesh->tex_coords.empty()) continue;
     const auto unit = std::min(static_cast<std::size_t>(map - textures.begin()), mesh->tex_coords.size() - 1);
     const auto [found, added] = made.try_emplace({mesh.get(), unit}, nullptr);
     if (added) {

@@ -22,7 +22,7 @@ View backdrop_view(const View& camera) {
   return view;
 }
 
-std::uint32_t draw_backdrop(const gl::Functions& gl, LoadedScene& scene, Pass& pass, Messages& messages) {
+std::uint32_t draw_backdrop(const gl::Functions& gl, LoadedScene& scene, Pass& pass, std::int32_t of, Messages& messages) {
   const View view = backdrop_view(pass.view);
   Pass around{view, false, pass.shadows, pass.shadow_views, {}};
   around.bound_viewpoint = pass.bound_viewpoint;
@@ -30,7 +30,7 @@ std::uint32_t draw_backdrop(const gl::Functions& gl, LoadedScene& scene, Pass& p
   std::uint32_t drawn = 0;
   gl::set_far_away(gl, true);
   for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
-    if (scene.shape(i).layer() == PackedLayer::backdrop && scene.world.shape_visible[i])
+    if (scene.shape(i).layer() == PackedLayer::backdrop && scene.shape(i).own_scene_of() == of)
       drawn += draw_shape(gl, scene, around, i, messages) ? 1 : 0;
   }
   gl::set_far_away(gl, false);

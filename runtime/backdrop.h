@@ -13,7 +13,9 @@ glm::dmat4 rotation_of(const glm::dmat4& matrix);
 /// with the default field of view then, as in the reference engine.
 View backdrop_view(const View& camera);
 
-/// Draws it over the background colour of the picture that `pass` draws, before anything else. Returns the draw calls.
-std::uint32_t draw_backdrop(const gl::Functions& functions, LoadedScene& scene, Pass& pass, Messages& messages);
+/// Draws the world's (-1), or that of a rendered texture that has its own, over the background colour of the picture that
+/// `pass` draws, before anything else. Returns the draw calls.
+std::uint32_t draw_backdrop(const gl::Functions& functions, LoadedScene& scene, Pass& pass, std::int32_t of,
+                            Messages& messages);
 
 }  // namespace plugc

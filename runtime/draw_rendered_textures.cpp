@@ -1,20 +1,25 @@
 // A cube's six views share their shadow maps: those are made for whoever looks, from all around. Nothing that is drawn into is
-// read meanwhile, so that a scene which shows itself ends after one step. The first time, all is drawn twice: what came first
-// has seen the others white.
+// read meanwhile: a texture that shows itself shows what it held before, and so do two that show each other. So each frame is
+// one step deeper; of the first picture a few steps are made at once, as the first sees the textures white.
 
 #include "runtime/draw_rendered_textures.h"
 
 #include <algorithm>
-#include <array>
+#include <optional>
+#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "runtime/cube_map.h"
 #include "runtime/draw_view.h"
+#include "runtime/mirror.h"
 #include "runtime/place_scene.h"
+#include "runtime/view_slots.h"
 
 namespace plugc {
 namespace {
+
+constexpr int kFirstRounds = 3;  // what is seen in what is seen in a texture
 
 bool may_be_seen(const LoadedScene& scene, const RenderedTexture& made) {
   return made.read_by_screen || std::ranges::any_of(made.readers, [&](std::uint32_t reader) {
@@ -23,25 +28,22 @@ bool may_be_seen(const LoadedScene& scene, const RenderedTexture& made) {
 }
 
 bool is_due(const LoadedScene& scene, const PackedRenderedTexture& packed, const RenderedTexture& made) {
-  if (!made.texture || packed.update() == PackedShadowUpdate::none) return false;
+  if (!made.shown.texture || packed.update() == PackedShadowUpdate::none) return false;
   return (packed.update() == PackedShadowUpdate::always || !made.drawn) && may_be_seen(scene, made);
 }
 
-/// What the field `rendering` tells the rest of the scene.
-void set_rendering(LoadedScene& scene, const PackedRenderedTexture& packed, bool rendering) {
-  if (packed.rendering_slots() == nullptr) return;
-  const std::array<double, 1> value = {rendering ? 1.0 : 0.0};
-  for (const std::uint32_t slot : *packed.rendering_slots()) scene.slots.set(slot, value);
-}
-
-std::uint32_t background_of(const LoadedScene& scene, const PackedRenderedTexture& packed) {
-  return packed.background_color() == kNoSlot ? scene.packed->background_color() : packed.background_color();
+/// What is around the view of the texture of that index.
+void set_background(const LoadedScene& scene, std::uint32_t index, SceneView& view) {
+  const PackedRenderedTexture& packed = *scene.packed->rendered_textures()->Get(index);
+  view.background_color = packed.background_color() == kNoSlot ? scene.packed->background_color() : packed.background_color();
+  if (packed.own_backdrop()) view.backdrop_of = static_cast<std::int32_t>(index);
 }
 
 void draw(Frame& frame, const RenderedTexture& made, std::size_t target, SceneView& view) {
   const bool in_world = frame.scene.placed_scene < 0;
   if (in_world) view.wearer = &frame.viewer;  // whose headlight stays where it is, as the reference engine has it, measured
-  draw_view(frame, {made.targets[target], made.width, made.height}, view);
+  const DrawnPicture& into = made.next.texture ? made.next : made.shown;
+  draw_view(frame, {into.targets[target], made.width, made.height}, view);
   ++frame.statistics.rendered_views;
 }
 
@@ -55,15 +57,13 @@ View flat_camera(Frame& frame, const PackedRenderedTexture& packed, double aspec
   return make_camera(*scene.packed, scene.slots, scene.world, frame.options.viewpoint, aspect, frame.messages);
 }
 
-void draw_flat(Frame& frame, const PackedRenderedTexture& packed, const RenderedTexture& made) {
+SceneView flat_view(Frame& frame, const PackedRenderedTexture& packed, const RenderedTexture& made) {
   const double aspect = static_cast<double>(made.width) / made.height;
   SceneView view;
   view.camera = settled_camera(frame.scene, [&] { return flat_camera(frame, packed, aspect); });
-  view.shadow_camera = view.camera;
   const bool as_picture = packed.viewpoint() < 0 && !packed.own_scene();
   if (as_picture) view.viewpoint = bound_viewpoint(*frame.scene.packed, frame.scene.slots, frame.options.viewpoint);
-  view.background_color = background_of(frame.scene, packed);
-  draw(frame, made, 0, view);
+  return view;
 }
 
 /// All around a place, as far as the scene reaches.
@@ -88,34 +88,87 @@ std::int32_t seen_from(const LoadedScene& scene, const RenderedTexture& made) {
   return found == made.readers.end() ? -1 : static_cast<std::int32_t>(*found);
 }
 
-void draw_cube(Frame& frame, const PackedRenderedTexture& packed, const RenderedTexture& made) {
+/// What the viewer sees in the shape that has the texture; nullopt where there is no mirror for him to look into. What turns to
+/// him stays as it is for him.
+std::optional<SceneView> mirror_view(Frame& frame, const PackedRenderedTexture& packed, const RenderedTexture& made) {
   LoadedScene& scene = frame.scene;
+  const std::int32_t index = seen_from(scene, made);
+  if (index < 0 || scene.shape(static_cast<std::uint32_t>(index)).mirror() == nullptr) return std::nullopt;
+  place_for_viewer(scene, frame.viewer);
+  const PackedShape& shape = scene.shape(static_cast<std::uint32_t>(index));
+  const Mirror mirror = place_mirror(*shape.mirror(), scene.world.at(shape.transform()).matrix);
+  const double distance = scene.slots.number(packed.distance_from_shape(), 0);
+  const auto camera = view_in_mirror(mirror, frame.viewer, distance, scene.world.bounds);
+  if (!camera) return std::nullopt;
+  SceneView view;
+  view.camera = *camera;
+  view.without_shape = index;
+  view.clips_near = true;
+  return view;
+}
+
+std::optional<SceneView> draw_flat(Frame& frame, std::uint32_t index) {
+  LoadedScene& scene = frame.scene;
+  const PackedRenderedTexture& packed = *scene.packed->rendered_textures()->Get(index);
+  const RenderedTexture& made = scene.rendered_textures[index];
+  std::optional<SceneView> view =
+      packed.in_mirror() ? mirror_view(frame, packed, made) : std::optional(flat_view(frame, packed, made));
+  if (!view) return std::nullopt;
+  view->shadow_camera = view->camera;
+  set_background(scene, index, *view);
+  tell_view(scene.slots, packed, view->camera);
+  draw(frame, made, 0, *view);
+  return view;
+}
+
+SceneView draw_cube(Frame& frame, std::uint32_t index) {
+  LoadedScene& scene = frame.scene;
+  const RenderedTexture& made = scene.rendered_textures[index];
   const std::int32_t shape = seen_from(scene, made);
   const glm::dvec3 place = shape < 0 ? glm::dvec3(0) : scene.world.shape_bounds[static_cast<std::size_t>(shape)].center();
   SceneView view;
   view.shadow_camera = around(scene.world, place);
   view.without_shape = shape;
-  view.background_color = background_of(scene, packed);
+  set_background(scene, index, view);
   place_for_viewer(scene, view.shadow_camera);
   for (unsigned face = 0; face < kCubeFaceCount; ++face) {
     view.camera = cube_face(view.shadow_camera, face);
     draw(frame, made, face, view);
   }
+  return view;
 }
 
-void draw_rendered_texture(Frame& frame, std::uint32_t index) {
+/// Whether a shape that shows a rendered texture may be seen in that view of the scene as it is placed.
+bool shows_textures(const LoadedScene& scene, const SceneView& view) {
+  const glm::dmat4 to_clip = view.shadow_camera.projection * view.shadow_camera.world_to_eye;
+  const auto is_shown = [&](std::uint32_t shape) {
+    const Box& bounds = scene.world.shape_bounds[shape];
+    if (!scene.world.shape_visible[shape] || bounds.empty() || static_cast<std::int32_t>(shape) == view.without_shape)
+      return false;
+    return view.shadow_camera.all_around || !outside_sideways(bounds, to_clip);
+  };
+  return std::ranges::any_of(scene.rendered_textures,
+                             [&](const RenderedTexture& made) { return std::ranges::any_of(made.readers, is_shown); });
+}
+
+/// True where another round would make another picture: it shows rendered textures.
+bool draw_rendered_texture(Frame& frame, std::uint32_t index) {
   LoadedScene& scene = frame.scene;
   const PackedRenderedTexture& packed = *scene.packed->rendered_textures()->Get(index);
   RenderedTexture& made = scene.rendered_textures[index];
   const bool cube = packed.kind() == PackedRenderedKind::cube;
-  set_rendering(scene, packed, true);
+  const LentSlots lent = begin_view(scene.slots, packed);
   place_scene(scene, packed.own_scene() ? static_cast<std::int32_t>(index) : -1);
   made.being_drawn = true;
-  cube ? draw_cube(frame, packed, made) : draw_flat(frame, packed, made);
+  const std::optional<SceneView> view = cube ? std::optional(draw_cube(frame, index)) : draw_flat(frame, index);
   made.being_drawn = false;
+  const bool shows_others = view && shows_textures(scene, *view);
+  end_view(scene.slots, packed, lent);
+  if (!view) return false;
   made.drawn = true;
-  set_rendering(scene, packed, false);
-  gl::update_mipmaps(frame.gl, cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, made.texture, packed.minification());
+  if (made.next.texture) std::swap(made.shown, made.next);
+  gl::update_mipmaps(frame.gl, cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, made.shown.texture, packed.minification());
+  return shows_others;
 }
 
 }  // namespace
@@ -131,10 +184,8 @@ void draw_rendered_textures(Frame& frame) {
     due.push_back(i);
     any_new = any_new || !made.drawn;
   }
-  const int rounds = any_new && due.size() > 1 ? 2 : 1;
-  for (int round = 0; round < rounds; ++round) {
-    for (const std::uint32_t texture : due) draw_rendered_texture(frame, texture);
-  }
+  for (int round = 0; round < (any_new ? kFirstRounds : 1); ++round)
+    std::erase_if(due, [&](std::uint32_t texture) { return !draw_rendered_texture(frame, texture); });
 }
 
 }  // namespace plugc

@@ -5,8 +5,8 @@
 
 namespace plugc {
 
-/// Draws every rendered texture that is due and that some visible shape reads. One that shows itself sees white there; one that
-/// shows a later one sees what that held before, at first what it holds without any of the others.
+/// Draws every rendered texture that is due and that some visible shape reads. One that shows itself, or a later one, sees what
+/// that held before; those that are new are drawn again until what they show is three deep.
 void draw_rendered_textures(Frame& frame);
 
 }  // namespace plugc

@@ -28,7 +28,7 @@ bool prepare_targets(Frame& frame, const FrameTarget& target) {
   screen.width = target.width;
   screen.height = target.height;
   const gl::TextureSettings texels{PackedWrap::clamp_to_edge, PackedWrap::clamp_to_edge, PackedFilter::nearest,
-                                   PackedFilter::nearest};  // as the reference engine looks them up, measured
+                                   PackedFilter::nearest, nullptr};  // as the reference engine looks them up, measured
   screen.depth = gl::make_depth_picture(frame.gl, target.width, target.height, texels);
   for (int i = 0; i < 2; ++i) {
     screen.colors[i] = gl::make_color_texture(frame.gl, GL_TEXTURE_2D, target.width, target.height, texels);

@@ -64,12 +64,13 @@ bool is_of_moments(PackedSource source) {
          source == PackedSource::shadow_unblurred;
 }
 
-/// White before it has been drawn, and while it is: nobody may read what he draws into.
+/// White before it has been drawn, and while it is unless there are two: nobody may read what he draws into.
 BoundTexture rendered_texture(LoadedScene& scene, const PackedBinding& binding, PackedUniformType type) {
   const RenderedTexture& made = scene.rendered_textures[binding.a()];
   const bool cube = scene.packed->rendered_textures()->Get(binding.a())->kind() == PackedRenderedKind::cube;
   const bool fits = type == (cube ? PackedUniformType::samplerCube : PackedUniformType::sampler2D);
-  if (fits && made.drawn && !made.being_drawn) return {made.texture.id()};
+  const bool can_be_read = made.drawn && (!made.being_drawn || made.next.texture);
+  if (fits && can_be_read) return {made.shown.texture.id()};
   return {scene.resources.stand_in(type).id()};
 }
 
@@ -163,7 +164,8 @@ const gl::VertexArray* vertex_array_of(const gl::Functions& functions, LoadedSce
   return &coords.vertex_array;
 }
 
-UniformInputs uniform_inputs(const LoadedScene& scene, const Pass& pass, const glm::dmat4& object_to_world) {
+UniformInputs uniform_inputs(const LoadedScene& scene, const Pass& pass, const glm::dmat4& object_to_world,
+                             const PackedWindow* mirror = nullptr) {
   UniformInputs inputs{*scene.packed, scene.slots, scene.world, pass.view, pass.shadow_views};
   if (pass.depth_only) inputs.depth_pass_view = &pass.view;
   inputs.object_to_world = object_to_world;
@@ -172,6 +174,7 @@ UniformInputs uniform_inputs(const LoadedScene& scene, const Pass& pass, const g
   inputs.screen_size = {scene.screen.width, scene.screen.height};
   inputs.wearer = pass.wearer;
   inputs.target_size = pass.target_size;
+  inputs.mirror = mirror;
   return inputs;
 }
 
@@ -207,7 +210,7 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   gl::use_program(functions, program.program);
   const glm::dmat4& placed = scene.world.at(shape.transform()).matrix;
   const glm::dmat4 object_to_world = shape.layer() == PackedLayer::backdrop ? rotation_of(placed) : placed;
-  const UniformInputs inputs = uniform_inputs(scene, pass, object_to_world);
+  const UniformInputs inputs = uniform_inputs(scene, pass, object_to_world, shape.mirror());
   apply_bindings(functions, scene, pass, program, bindings_in(use, pass), inputs, messages);
   if (!pass.depth_only) gl::set_draw_state(functions, draw_state_of(shape, scene.slots, object_to_world));
   gl::draw_mesh(functions, mesh, vertex_array_of(functions, scene, pass, index, program_index, inputs));

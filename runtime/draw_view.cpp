@@ -37,13 +37,14 @@ void draw_view(Frame& frame, const FrameTarget& target, const SceneView& view) {
   for (const LiveMesh& live : frame.scene.live_meshes.list) frame.scene.resources.rewrite_mesh(live);
   if (frame.options.shadows) {
     draw_shadow_maps(frame, view.shadow_camera);
-    trace_shadows(frame.gl, frame.scene, view.camera, target.width, target.height, frame.messages);
+    trace_shadows(frame.gl, frame.scene, view.camera, view.clips_near, target.width, target.height, frame.messages);
   }
   Pass pass = color_pass(frame, view);
   gl::begin_color_pass(frame.gl, target.framebuffer, target.width, target.height,
                        background_of(frame.scene, view.background_color));
   pass.target_size = {target.width, target.height};
-  frame.statistics.draw_calls += draw_backdrop(frame.gl, frame.scene, pass, frame.messages);
+  frame.statistics.draw_calls += draw_backdrop(frame.gl, frame.scene, pass, view.backdrop_of, frame.messages);
+  if (view.clips_near) gl::clip_depth(frame.gl, true);
   for (const std::uint32_t shape : draw_order(frame.scene, view.camera)) {
     if (static_cast<std::int32_t>(shape) == view.without_shape) continue;
     frame.statistics.draw_calls += draw_shape(frame.gl, frame.scene, pass, shape, frame.messages) ? 1 : 0;

@@ -13,6 +13,8 @@ struct SceneView {
   std::int32_t viewpoint = -1;      ///< Through which the camera looks; -1: through none of the scene's.
   std::int32_t without_shape = -1;  ///< It is not drawn, though it casts its shadow.
   std::uint32_t background_color = kNoSlot;
+  std::int32_t backdrop_of = -1;  ///< The rendered texture that has its own backdrop; -1: the world's is around the view.
+  bool clips_near = false;        ///< What is before the camera's near plane is not there: that is a mirror.
 };
 
 /// Draws the shadow maps that are out of date for the view, then the view, which `scene.world` must be placed for.

@@ -43,32 +43,46 @@ GLsizei usable_side(std::uint32_t wanted, std::uint32_t largest, Messages& messa
 
 gl::TextureSettings settings_of(const PackedRenderedTexture& packed) {
   const bool depth = packed.kind() == PackedRenderedKind::depth;  // which has no smaller copies
-  return {packed.wrap_s(), packed.wrap_t(), depth ? PackedFilter::linear : packed.minification(), packed.magnification()};
+  return {packed.wrap_s(), packed.wrap_t(), depth ? PackedFilter::linear : packed.minification(), packed.magnification(),
+          packed.border()};
 }
 
-void make_cube(const gl::Functions& gl, const PackedRenderedTexture& packed, RenderedTexture& made) {
-  made.texture = gl::make_color_texture(gl, GL_TEXTURE_CUBE_MAP, made.width, made.width, settings_of(packed));
-  made.depth = gl::make_depth_buffer(gl, made.width, made.width);
+DrawnPicture make_cube(const gl::Functions& gl, const PackedRenderedTexture& packed, GLsizei side) {
+  DrawnPicture made;
+  made.texture = gl::make_color_texture(gl, GL_TEXTURE_CUBE_MAP, side, side, settings_of(packed));
+  made.depth = gl::make_depth_buffer(gl, side, side);
   for (GLenum face = 0; face < kCubeFaceCount; ++face)
     made.targets.push_back(gl::make_texture_target(gl, made.texture, GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, made.depth));
+  return made;
 }
 
-void make_picture(const gl::Functions& gl, const PackedRenderedTexture& packed, RenderedTexture& made) {
+DrawnPicture make_flat(const gl::Functions& gl, const PackedRenderedTexture& packed, GLsizei width, GLsizei height) {
+  DrawnPicture made;
   const gl::TextureSettings settings = settings_of(packed);
   if (packed.kind() == PackedRenderedKind::depth) {
-    made.texture = gl::make_depth_picture(gl, made.width, made.height, settings);
-    made.color = gl::make_color_texture(gl, GL_TEXTURE_2D, made.width, made.height, {});
+    made.texture = gl::make_depth_picture(gl, width, height, settings);
+    made.color = gl::make_color_texture(gl, GL_TEXTURE_2D, width, height, {});
     made.targets.push_back(gl::make_texture_target(gl, made.color, made.texture));
   } else {
-    made.texture = gl::make_color_texture(gl, GL_TEXTURE_2D, made.width, made.height, settings);
-    made.depth = gl::make_depth_buffer(gl, made.width, made.height);
+    made.texture = gl::make_color_texture(gl, GL_TEXTURE_2D, width, height, settings);
+    made.depth = gl::make_depth_buffer(gl, width, height);
     made.targets.push_back(gl::make_texture_target(gl, made.texture, GL_TEXTURE_2D, made.depth));
   }
+  return made;
 }
 
-/// Takes its texels from those that are left.
-RenderedTexture make_rendered_texture(const gl::Functions& gl, const PackedRenderedTexture& packed, std::uint64_t& texels_left,
-                                      Messages& messages) {
+DrawnPicture make_picture(const gl::Functions& gl, const PackedRenderedTexture& packed, const RenderedTexture& made) {
+  const bool cube = packed.kind() == PackedRenderedKind::cube;
+  return cube ? make_cube(gl, packed, made.width) : make_flat(gl, packed, made.width, made.height);
+}
+
+bool is_complete(const gl::Functions& gl, const DrawnPicture& picture) {
+  return std::ranges::all_of(picture.targets, [&](const gl::Framebuffer& target) { return gl::is_complete(gl, target); });
+}
+
+/// Takes its texels from those that are left; a second picture only while there are enough.
+RenderedTexture make_rendered_texture(const gl::Functions& gl, const PackedRenderedTexture& packed, bool may_show_itself,
+                                      std::uint64_t& texels_left, Messages& messages) {
   RenderedTexture made;
   const bool cube = packed.kind() == PackedRenderedKind::cube;
   const GLsizei of_driver = cube ? gl::max_cube_map_side(gl) : gl::max_target_side(gl);
@@ -83,13 +97,24 @@ RenderedTexture make_rendered_texture(const gl::Functions& gl, const PackedRende
     return {};
   }
   texels_left -= texels;
-  cube ? make_cube(gl, packed, made) : make_picture(gl, packed, made);
-  const bool complete =
-      std::ranges::all_of(made.targets, [&](const gl::Framebuffer& target) { return gl::is_complete(gl, target); });
-  if (complete) return made;
+  made.shown = make_picture(gl, packed, made);
+  if (may_show_itself && texels <= texels_left) {
+    texels_left -= texels;
+    made.next = make_picture(gl, packed, made);
+  }
+  if (is_complete(gl, made.shown) && is_complete(gl, made.next)) return made;
   messages.add("the driver cannot draw a texture of " + std::to_string(made.width) + " by " + std::to_string(made.height) +
                ": it is white");
   return {};
+}
+
+/// Whether some reader stands in what it shows. One that hangs on its reader's place is drawn without that.
+bool may_show_itself(const PackedScene& scene, std::uint32_t index, const std::vector<std::uint32_t>& readers) {
+  const PackedRenderedTexture& packed = *scene.rendered_textures()->Get(index);
+  const std::int32_t shown = packed.own_scene() ? static_cast<std::int32_t>(index) : -1;
+  const auto there = std::ranges::count_if(
+      readers, [&](std::uint32_t reader) { return scene.shapes()->Get(reader)->own_scene_of() == shown; });
+  return there > (packed.in_mirror() || packed.kind() == PackedRenderedKind::cube ? 1 : 0);
 }
 
 }  // namespace
@@ -104,7 +129,8 @@ std::vector<RenderedTexture> make_rendered_textures(const gl::Functions& functio
     std::vector<std::uint32_t> readers = find_readers(scene, i);
     const bool read_by_screen = screen_effect_reads(scene, i);
     const bool of_use = (!readers.empty() || read_by_screen) && packed.update() != PackedShadowUpdate::none;
-    all.push_back(of_use ? make_rendered_texture(functions, packed, texels_left, messages) : RenderedTexture());
+    all.push_back(of_use ? make_rendered_texture(functions, packed, may_show_itself(scene, i, readers), texels_left, messages)
+                         : RenderedTexture());
     all.back().readers = std::move(readers);
     all.back().read_by_screen = read_by_screen;
   }

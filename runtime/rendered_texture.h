@@ -12,16 +12,24 @@
 
 namespace plugc {
 
-struct RenderedTexture {
-  gl::Texture texture;  ///< None when it is never drawn, or no shape reads it: whoever does sees white.
+/// What is drawn into.
+struct DrawnPicture {
+  gl::Texture texture;
   gl::Renderbuffer depth;
   gl::Texture color;                     ///< Drawn beside a texture of depths, and read by nobody.
   std::vector<gl::Framebuffer> targets;  ///< One, or one a face of a cube: +x -x +y -y +z -z.
+};
+
+struct RenderedTexture {
+  DrawnPicture shown;  ///< No texture when it is never drawn, or no shape reads it: whoever does sees white.
+  /// Drawn into in its place by one that may show itself, which then shows what it held before; the two change places. Else
+  /// empty.
+  DrawnPicture next;
   GLsizei width = 0, height = 0;
   std::vector<std::uint32_t> readers;  ///< Shapes some program of which reads it.
   bool read_by_screen = false;         ///< Some screen effect does.
   bool drawn = false;
-  bool being_drawn = false;  ///< What reads it meanwhile sees white.
+  bool being_drawn = false;  ///< What reads it meanwhile sees what it held before, if there is a `next`, else white.
 };
 
 /// One per PackedRenderedTexture. Sizes beyond what can be made are reported.

@@ -66,8 +66,10 @@ int texel_at(double place) {
   return std::abs(place) < kMost ? static_cast<int>(std::floor(place)) : 0;
 }
 
+/// -1: beyond the border.
 int wrapped(int texel, int size, PackedWrap wrap) {
   if (wrap == PackedWrap::clamp_to_edge) return std::clamp(texel, 0, size - 1);
+  if (wrap == PackedWrap::clamp_to_border) return texel < 0 || texel >= size ? -1 : texel;
   const int period = wrap == PackedWrap::repeat ? size : 2 * size;
   const int within = ((texel % period) + period) % period;
   return within < size ? within : period - 1 - within;
@@ -78,6 +80,8 @@ double texel_alpha(const AlphaTest& test, int x, int y) {
   const int width = static_cast<int>(image.width());
   const int column = wrapped(x, width, test.texture->wrap_s());
   const int row = wrapped(y, static_cast<int>(image.height()), test.texture->wrap_t());
+  const PackedBorder* const border = test.texture->border();
+  if (column < 0 || row < 0) return border == nullptr ? 0 : static_cast<double>(border->alpha());
   const auto at = static_cast<std::uint32_t>((row * width + column) * image.channels() + image.channels() - 1);
   return image.pixels()->Get(at) / 255.0;
 }

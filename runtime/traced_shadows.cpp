@@ -11,6 +11,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "runtime/draw_shape.h"
+#include "runtime/gl/pass.h"
 #include "runtime/gl/texture.h"
 #include "runtime/loaded_scene.h"
 
@@ -116,8 +117,8 @@ std::vector<std::uint8_t> trace_picture(const Tracing& tracing) {
 
 }  // namespace
 
-void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, GLsizei width, GLsizei height,
-                   Messages& messages) {
+void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, bool clips_near, GLsizei width,
+                   GLsizei height, Messages& messages) {
   std::vector<float> triangles;
   for (std::uint32_t i = 0; i < scene.shadow_maps.size(); ++i) {
     if (!is_traced(scene, i)) continue;
@@ -129,6 +130,7 @@ void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& came
     if (scene.traced.tracer == nullptr) continue;
     if (triangles.empty()) {
       if (!gl::begin_triangle_pass(gl, scene.traced.pass, width, height)) return;
+      gl::clip_depth(gl, clips_near);
       draw_numbers(gl, scene, camera, messages);
       triangles = gl::read_triangles(gl, scene.traced.pass);
     }

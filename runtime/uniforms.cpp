@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "runtime/gl/program.h"
+#include "runtime/mirror.h"
 #include "runtime/projection.h"
 
 namespace plugc {
@@ -140,6 +141,14 @@ View projecting_view(const PackedBinding& binding, const UniformInputs& inputs) 
   return view_from(projector, inputs.slots, inputs.world, aspect);
 }
 
+/// Where what the picture's viewer sees in the shape lies in a picture that just covers it.
+glm::dmat4 mirror_projector(const UniformInputs& inputs) {
+  if (inputs.mirror == nullptr) return glm::dmat4(1.0);
+  const View& viewer = inputs.wearer == nullptr ? inputs.view : *inputs.wearer;
+  const auto seen = view_in_mirror(place_mirror(*inputs.mirror, inputs.object_to_world), viewer, 0, Box());
+  return seen ? world_to_texture(*seen) : glm::dmat4(1.0);
+}
+
 Numbers matrix_numbers(const PackedBinding& binding, const UniformInputs& inputs) {
   const View& view = inputs.view;
   const glm::dmat4 model_view = view.world_to_eye * inputs.object_to_world;
@@ -151,6 +160,7 @@ Numbers matrix_numbers(const PackedBinding& binding, const UniformInputs& inputs
     case PackedSource::texture_matrix:
       return numbers(texture_matrix(*inputs.scene.texture_transforms()->Get(binding.a()), inputs.slots));
     case PackedSource::projector_matrix:
+    case PackedSource::mirror_projector_matrix:
     case PackedSource::viewpoint_projector_matrix: return numbers(projector_matrix(binding, inputs) * view.eye_to_world);
     case PackedSource::camera_matrix: return numbers(view.world_to_eye);
     case PackedSource::camera_inverse_matrix: return numbers(view.eye_to_world);
@@ -229,6 +239,7 @@ float finite_float(double value) {
 }
 
 glm::dmat4 projector_matrix(const PackedBinding& binding, const UniformInputs& inputs) {
+  if (binding.source() == PackedSource::mirror_projector_matrix) return mirror_projector(inputs);
   const bool of_light = binding.source() == PackedSource::projector_matrix;
   return world_to_texture(of_light ? shadow_view(binding, inputs) : projecting_view(binding, inputs));
 }

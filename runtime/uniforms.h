@@ -18,11 +18,12 @@ struct UniformInputs {
   std::span<const View> shadow_views;     ///< One per shadow map of the scene.
   const View* depth_pass_view = nullptr;  ///< Set in a depth pass: the map being drawn.
   glm::dmat4 object_to_world{1.0};
-  glm::dvec4 depth_range{0};          ///< PackedSource::depth_pass_range.
-  std::int32_t bound_viewpoint = -1;  ///< Through which `view` looks; -1: it is none of the scene's.
-  glm::dvec2 target_size{1};          ///< PackedSource::target_size.
-  glm::ivec2 screen_size{0};          ///< Of the picture that a screen effect changes.
-  const View* wearer = nullptr;       ///< Who wears the headlight; null: `view`.
+  glm::dvec4 depth_range{0};             ///< PackedSource::depth_pass_range.
+  std::int32_t bound_viewpoint = -1;     ///< Through which `view` looks; -1: it is none of the scene's.
+  glm::dvec2 target_size{1};             ///< PackedSource::target_size.
+  glm::ivec2 screen_size{0};             ///< Of the picture that a screen effect changes.
+  const View* wearer = nullptr;          ///< Who wears the headlight, and whom mirrors serve; null: `view`.
+  const PackedWindow* mirror = nullptr;  ///< Of the shape.
 };
 
 /// The binding's value as `count` elements of `type`, finite floats. Vectors are cut or filled with zeros to fit.
@@ -30,7 +31,8 @@ struct UniformInputs {
 std::vector<float> evaluate(const PackedBinding& binding, PackedUniformType type, std::uint32_t count,
                             const UniformInputs& inputs);
 
-/// What projects texture coordinates, from world space (PackedSource::projector_matrix or viewpoint_projector_matrix).
+/// What projects texture coordinates, from world space (PackedSource::projector_matrix, viewpoint_projector_matrix or
+/// mirror_projector_matrix).
 glm::dmat4 projector_matrix(const PackedBinding& binding, const UniformInputs& inputs);
 
 /// NaN becomes 0, and what is beyond the range of floats its end.

@@ -228,7 +228,8 @@ void Placer::place_fog() {
   if (!drawn && !authors_use("castle_FogFragCoord")) return;
   add_template("fog.vert", ShaderStage::vertex, recipe_.fog_coord ? Features{"FOG_COORD"} : Features{}, kScope);
   if (!drawn) return;
-  add_template("fog.frag", ShaderStage::fragment, recipe_.fog == FogKind::linear ? Features{"LINEAR"} : Features{}, kScope);
+  constexpr std::string_view kKinds[] = {"", "LINEAR", "EXPONENTIAL", "EITHER"};
+  add_template("fog.frag", ShaderStage::fragment, {kKinds[static_cast<std::size_t>(recipe_.fog)]}, kScope);
 }
 
 /// How lines, points and the filling of faces are drawn, and what cuts the shape.

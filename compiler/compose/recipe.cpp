@@ -156,7 +156,7 @@ bool RecipeMaker::is_projective(std::size_t number) const {
   if (scene_.textures[static_cast<std::size_t>(use.texture)].kind != TextureKind::image_2d) return false;
   const bool by_matrix = use.transform >= 0 && may_project(scene_.texture_transforms[static_cast<std::size_t>(use.transform)]);
   const bool by_mesh = use.generator == CoordGenerator::none && number < facts_.projective.size() && facts_.projective[number];
-  return by_matrix || by_mesh || use.generator == CoordGenerator::projection;
+  return by_matrix || by_mesh || use.generator == CoordGenerator::projection || use.generator == CoordGenerator::mirror_plane;
 }
 
 TextureRecipe RecipeMaker::texture(std::size_t number, const Recipe& recipe) const {
@@ -168,7 +168,8 @@ TextureRecipe RecipeMaker::texture(std::size_t number, const Recipe& recipe) con
   if (made.role == TextureRole::unused) return made;
   made.kind = texture.kind;
   made.combination = use.combination;
-  made.generator = use.generator;
+  const bool projected = use.generator == CoordGenerator::mirror_plane;  // by another matrix: the code is one
+  made.generator = projected ? CoordGenerator::projection : use.generator;
   made.matrix = use.transform >= 0;
   made.projective = is_projective(number);
   made.effects = switched_on(texture.effects);

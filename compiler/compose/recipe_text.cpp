@@ -45,6 +45,7 @@ void append_base(std::string& text, const Recipe& recipe) {
                         {recipe.alpha_test, " alpha_test"},
                         {recipe.fog == FogKind::linear, " linear_fog"},
                         {recipe.fog == FogKind::exponential, " exponential_fog"},
+                        {recipe.fog == FogKind::either, " either_fog"},
                         {recipe.fog != FogKind::none && recipe.fog_coord, " fog_coord"},
                         {recipe.primitive == Primitive::points, " points"},
                         {recipe.primitive == Primitive::lines, " lines"},

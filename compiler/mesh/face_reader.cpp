@@ -1,5 +1,5 @@
-// A corner's place in a list (X3D 4.1, 13.3.6): per vertex, the entry of the index list beside coordIndex, or without one the
-// coordinate's own index; per face, the face's entry of the index list, or without one the face's number.
+// A corner's place in a list (X3D 4.1, 13.3.6; tangents as normals): per vertex, the entry of the index list beside coordIndex,
+// or without one the coordinate's own index; per face, the face's entry of the index list, or without one the face's number.
 
 #include "mesh/face_reader.h"
 
@@ -33,6 +33,7 @@ FaceReader::FaceReader(const GeometrySource& source, std::vector<glm::vec3> coor
   ColorList colors = read_colors(source);
   faces.coords = std::move(coords);
   faces.normals = read_normals(source);
+  faces.tangents = read_tangents(source);
   faces.colors = std::move(colors.colors);
   faces.colors_have_alpha = colors.have_alpha;
   faces.tex_units = read_tex_units(source);
@@ -46,6 +47,7 @@ FaceReader::FaceReader(const GeometrySource& source, std::vector<glm::vec3> coor
   coord_ =
       channel("coord", source.graph.has_field(source.node, "coordIndex") ? "coordIndex" : "index", "", faces.coords.size());
   normal_ = channel("normal", "normalIndex", "normalPerVertex", faces.normals.size());
+  tangent_ = channel("tangent", "normalIndex", "normalPerVertex", faces.tangents.size());
   color_ = channel("color", "colorIndex", "colorPerVertex", faces.colors.size());
   tex_ = channel("texCoord", "texCoordIndex", "", tex_size(faces.tex_units));
 }
@@ -76,6 +78,7 @@ void FaceReader::add_face(std::span<const std::int64_t> coord_indices, std::size
     if (!is_usable(coord_indices[i])) return;
     Corner corner{.coord = static_cast<std::uint32_t>(coord_indices[i])};
     if (!find(normal_, coord_indices[i], position + i, corner.normal) ||
+        !find(tangent_, coord_indices[i], position + i, corner.tangent) ||
         !find(color_, coord_indices[i], position + i, corner.color) || !find(tex_, coord_indices[i], position + i, corner.tex))
       return;
     face_.push_back(corner);

@@ -14,7 +14,8 @@ namespace plugc {
 /// left out; so is one with a coordinate that is no finite number.
 class FaceReader {
  public:
-  /// Reads normal, color, texCoord, ccw and solid. The index lists beside coordIndex are read where the node type has them.
+  /// Reads normal, tangent, color, texCoord, ccw and solid. The index lists beside coordIndex are read where the node type has
+  /// them.
   FaceReader(const GeometrySource& source, std::vector<glm::vec3> coords);
 
   /// A face given by its coordinates' indices. `position` is where they begin in coordIndex, for the lists that run beside it.
@@ -40,7 +41,7 @@ class FaceReader {
   void report_index(Channel& channel, std::int64_t index);
 
   const GeometrySource& source_;
-  Channel coord_, normal_, color_, tex_;
+  Channel coord_, normal_, color_, tex_, tangent_;
   std::vector<Corner> face_;    // at hand
   std::size_t faces_seen_ = 0;  // left-out ones too: they have their places in the per-face lists
   bool reported_not_finite_ = false;

@@ -1,4 +1,4 @@
-// Faces to triangles. Corners with the same four indices become one vertex (found by an open-addressing table over all
+// Faces to triangles. Corners with the same indices become one vertex (found by an open-addressing table over all
 // corners). Convex faces and triangles are fans around their first corner; the others are projected along their normal and
 // ear-clipped. Texture units that the node leaves out get the default for the coordinate.
 
@@ -40,7 +40,7 @@ class CornerTable {
  private:
   static std::size_t hash(const Corner& corner) {
     std::uint64_t h = 0;
-    for (const std::uint32_t part : {corner.coord, corner.normal, corner.color, corner.tex}) {
+    for (const std::uint32_t part : {corner.coord, corner.normal, corner.color, corner.tex, corner.tangent}) {
       h = (h ^ part) * 0x9e3779b97f4a7c15u;
       h ^= h >> 29;
     }
@@ -208,6 +208,7 @@ std::optional<Mesh> mesh_of_faces(FaceSet faces, const GeometrySource& source) {
     mesh.positions.push_back(faces.coords[vertex.coord]);
     mesh.normals.push_back(faces.normals[vertex.normal]);
     if (!faces.colors.empty()) mesh.colors.push_back(faces.colors[vertex.color]);
+    if (!faces.tangents.empty()) mesh.tangents.push_back(faces.tangents[vertex.tangent]);
     if (!faces.fog_coords.empty()) mesh.fog_coords.push_back(faces.fog_coords[vertex.coord]);
   }
   fill_tex_coords(mesh, faces, triangulator.vertices());

@@ -19,6 +19,7 @@ struct Corner {
   std::uint32_t normal = kNoIndex;
   std::uint32_t color = kNoIndex;
   std::uint32_t tex = kNoIndex;
+  std::uint32_t tangent = kNoIndex;
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
@@ -30,6 +31,7 @@ struct FaceSet {
   std::vector<glm::vec3> coords;
   std::vector<glm::vec3> normals;                 ///< Empty: to be generated.
   std::vector<glm::vec4> colors;                  ///< Empty: none.
+  std::vector<glm::vec4> tangents;                ///< Empty: none are written.
   std::vector<std::vector<glm::vec4>> tex_units;  ///< An empty unit gets `default_tex`.
   std::vector<glm::vec4> default_tex;             ///< By coord; empty: the box texture.
   std::vector<float> fog_coords;                  ///< By coord; empty: none.

@@ -33,6 +33,11 @@ std::vector<glm::vec4> padded(std::span<const double> numbers, const glm::vec4& 
   return result;
 }
 
+glm::vec3 unit_or(const glm::vec3& vector, const glm::vec3& fallback) {
+  const float length = glm::length(vector);
+  return length > 0 && std::isfinite(length) ? vector / length : fallback;
+}
+
 std::vector<glm::vec4> read_tex_unit(const GeometrySource& source, NodeId node) {
   const glm::vec4 missing{0, 0, 0, 1};
   if (source.graph.is(node, "TextureCoordinate")) return padded<2>(list_numbers(source, node, "point"), missing);
@@ -68,11 +73,17 @@ std::vector<glm::vec3> read_normals(const GeometrySource& source) {
   const NodeId normal = source.graph.child(source.node, "normal");
   if (!source.graph.is(normal, "Normal")) return {};
   std::vector<glm::vec3> normals = vectors<3>(list_numbers(source, normal, "vector"));
-  for (glm::vec3& vector : normals) {
-    const float length = glm::length(vector);
-    vector = length > 0 && std::isfinite(length) ? vector / length : glm::vec3(0, 0, 1);
-  }
+  for (glm::vec3& vector : normals) vector = unit_or(vector, {0, 0, 1});
   return normals;
+}
+
+std::vector<glm::vec4> read_tangents(const GeometrySource& source) {
+  if (!source.graph.has_field(source.node, "tangent")) return {};
+  const NodeId tangent = source.graph.child(source.node, "tangent");
+  if (!source.graph.is(tangent, "Tangent")) return {};
+  std::vector<glm::vec4> tangents = vectors<4>(source.graph.field(tangent, "vector").numbers);
+  for (glm::vec4& vector : tangents) vector = glm::vec4(unit_or(glm::vec3(vector), {1, 0, 0}), vector.w < 0 ? -1 : 1);
+  return tangents;
 }
 
 ColorList read_colors(const GeometrySource& source) {

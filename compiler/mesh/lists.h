@@ -13,6 +13,9 @@ std::vector<glm::vec3> read_coords(const GeometrySource& source);
 /// The node's `normal`, made unit length; empty without one.
 std::vector<glm::vec3> read_normals(const GeometrySource& source);
 
+/// The node's `tangent`: of unit length, and which way the texture's t runs (1 or -1, as in tangents.h); empty without one.
+std::vector<glm::vec4> read_tangents(const GeometrySource& source);
+
 /// The node's `color`, with alpha 1 where it has none; empty without one.
 struct ColorList {
   std::vector<glm::vec4> colors;

@@ -4,6 +4,7 @@
 #include "package/assemble_package.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string_view>
 #include <tuple>
@@ -18,6 +19,7 @@
 #include "package/pack_scene_lists.h"
 #include "package/pack_shape.h"
 #include "package/pack_style.h"
+#include "package/pack_texture.h"
 #include "package/pack_transforms.h"
 
 namespace plugc {
@@ -46,7 +48,8 @@ class Assembler {
   std::unordered_multimap<std::size_t, std::uint32_t> meshes_;  // by the hash of their content
   std::map<const Image*, std::uint32_t> images_;
   std::unordered_multimap<std::size_t, std::uint32_t> images_by_hash_;  // of their pixels
-  std::map<std::pair<std::uint32_t, int>, std::uint32_t> textures_;     // by image, wrapping and filters
+  /// By image, wrapping and filters, border.
+  std::map<std::tuple<std::uint32_t, int, std::array<double, 4>>, std::uint32_t> textures_;
 };
 
 std::uint32_t Assembler::add_program(const SceneParts& parts, std::size_t index) {
@@ -93,13 +96,15 @@ std::uint32_t Assembler::add_texture(const SceneTexture& texture, const std::sha
   packed->minification = static_cast<PackedFilter>(texture.minification);
   packed->magnification = static_cast<PackedFilter>(texture.magnification);
   packed->wrap_r = static_cast<PackedWrap>(texture.wrap_r);
+  packed->border = pack_border(texture);
   int settings = 0;
   for (const int setting :
        {static_cast<int>(texture.wrap_s), static_cast<int>(texture.wrap_t), static_cast<int>(texture.wrap_r),
         static_cast<int>(texture.minification), static_cast<int>(texture.magnification)})
     settings = settings * 4 + setting;
+  const auto border = packed->border == nullptr ? std::array<double, 4>() : texture.border_color;
   const auto [found, added] =
-      textures_.try_emplace({packed->image, settings}, static_cast<std::uint32_t>(package_.textures.size()));
+      textures_.try_emplace({packed->image, settings, border}, static_cast<std::uint32_t>(package_.textures.size()));
   if (added) package_.textures.push_back(std::move(packed));
   return found->second;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "package/pack_program.h"
+#include "package/pack_texture.h"
 
 namespace plugc {
 namespace {
@@ -19,6 +20,12 @@ std::unique_ptr<PackedRenderedTextureT> pack_rendered_texture(const SceneRendere
   packed->own_scene = texture.own_scene;
   packed->background_color = texture.background_color;
   packed->rendering_slots = texture.rendering_slots;
+  packed->viewing_slots = texture.viewing_slots;
+  packed->projection_slots = texture.projection_slots;
+  packed->in_mirror = texture.in_mirror;
+  packed->distance_from_shape = texture.distance_from_shape;
+  packed->own_backdrop = texture.own_backdrop;
+  for (const SlotLoan& loan : texture.loans) packed->loans.emplace_back(loan.from, loan.to);
   return packed;
 }
 
@@ -34,6 +41,7 @@ void pack_rendered_textures(const Scene& scene, PackedSceneT& packed) {
     rendered.wrap_t = static_cast<PackedWrap>(texture.wrap_t);
     rendered.minification = static_cast<PackedFilter>(texture.minification);
     rendered.magnification = static_cast<PackedFilter>(texture.magnification);
+    rendered.border = pack_border(texture);
   }
 }
 

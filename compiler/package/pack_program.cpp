@@ -80,16 +80,18 @@ std::unique_ptr<PackedUniformT> pack_uniform(const UniformOfTargets& uniform) {
   return packed;
 }
 
-std::optional<PackedBinding> projector_binding(const Scene& scene, std::uint32_t index, int projector) {
-  if (projector < 0) return std::nullopt;
-  const SceneProjector& found = scene.projectors[static_cast<std::size_t>(projector)];
+std::optional<PackedBinding> projector_binding(const Scene& scene, std::uint32_t index, const TextureUse& use) {
+  if (use.generator == CoordGenerator::mirror_plane)
+    return PackedBinding(index, 0, 0, 1, PackedSource::mirror_projector_matrix);
+  if (use.projector < 0) return std::nullopt;
+  const SceneProjector& found = scene.projectors[static_cast<std::size_t>(use.projector)];
   if (found.shadow_map >= 0)
     return PackedBinding(index, static_cast<std::uint32_t>(found.shadow_map), 0, 1, PackedSource::projector_matrix);
   if (!found.viewpoint.node.valid()) return std::nullopt;
   const auto standing = std::ranges::find(scene.viewpoints, found.viewpoint.node, &SceneViewpoint::node);
   const auto number =
       standing == scene.viewpoints.end() ? 0 : static_cast<std::uint32_t>(standing - scene.viewpoints.begin() + 1);
-  return PackedBinding(index, static_cast<std::uint32_t>(projector), number, 1, PackedSource::viewpoint_projector_matrix);
+  return PackedBinding(index, static_cast<std::uint32_t>(use.projector), number, 1, PackedSource::viewpoint_projector_matrix);
 }
 
 PackedSource screen_source(ScreenValue value) {
@@ -127,7 +129,7 @@ class Binder {
     return sampler_type(c_.scene.textures[static_cast<std::size_t>(texture)].kind) == sampler;
   }
   void bind_texture_matrix(std::uint32_t index, int transform);
-  void bind_projector(std::uint32_t index, int projector);
+  void bind_projector(std::uint32_t index, const TextureUse& use);
   void add(std::uint32_t index, PackedSource source, std::uint32_t a = 0, std::uint32_t b = 0, float scale = 1) {
     bindings_.emplace_back(index, a, b, scale, source);
   }
@@ -160,8 +162,8 @@ void Binder::bind_texture_matrix(std::uint32_t index, int transform) {
   add(index, PackedSource::texture_matrix, static_cast<std::uint32_t>(transform));
 }
 
-void Binder::bind_projector(std::uint32_t index, int projector) {
-  if (auto binding = projector_binding(c_.scene, index, projector)) bindings_.push_back(*binding);
+void Binder::bind_projector(std::uint32_t index, const TextureUse& use) {
+  if (auto binding = projector_binding(c_.scene, index, use)) bindings_.push_back(*binding);
 }
 
 void Binder::bind_field(std::uint32_t index, const ReflectedVariable& uniform, const FieldUniform& fed) {
@@ -235,6 +237,7 @@ void Binder::bind_fog(std::uint32_t index, CastleSource source) {
   if (c_.shape.fog < 0) return;
   const SceneFog& fog = c_.scene.fogs[static_cast<std::size_t>(c_.shape.fog)];
   if (source == CastleSource::fog_color) return add(index, PackedSource::slot, fog.color);
+  if (source == CastleSource::fog_exponential) return add(index, PackedSource::slot, fog.exponential);
   add(index, PackedSource::fog_visibility_range, fog.visibility_range, static_cast<std::uint32_t>(fog.transform + 1));
 }
 
@@ -271,6 +274,7 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
       if (const SceneLight* found = light(name.number)) add(index, PackedSource::shadow_intensity, found->shadow_intensity);
       return;
     case CastleSource::fog_color:
+    case CastleSource::fog_exponential:
     case CastleSource::fog_visibility_range: return bind_fog(index, name.source);
     case CastleSource::global_ambient: return add(index, PackedSource::slot, c_.scene.global_ambient);
     case CastleSource::texture: return bind_texture(index, use.texture);
@@ -278,7 +282,7 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     case CastleSource::texture_coord_parameter:
       if (use.parameter != kSceneNoSlot) add(index, PackedSource::slot, use.parameter);
       return;
-    case CastleSource::texture_projector: return bind_projector(index, use.projector);
+    case CastleSource::texture_projector: return bind_projector(index, use);
     case CastleSource::multi_texture_color:
       return add(index, PackedSource::color_and_alpha, c_.shape.multi_color, c_.shape.multi_alpha);
     default: break;
@@ -409,8 +413,9 @@ std::vector<PackedBinding> pack_projected_coords(const BindingContext& context, 
   if (context.shape.shader < 0) return coords;
   const auto& textures = context.shape.textures;
   for (std::uint32_t unit = 0; unit < std::min<std::size_t>(units_read, textures.size()); ++unit) {
-    if (textures[unit].generator != CoordGenerator::projection) continue;
-    if (auto binding = projector_binding(context.scene, unit, textures[unit].projector)) coords.push_back(*binding);
+    const CoordGenerator generator = textures[unit].generator;
+    if (generator != CoordGenerator::projection && generator != CoordGenerator::mirror_plane) continue;
+    if (auto binding = projector_binding(context.scene, unit, textures[unit])) coords.push_back(*binding);
   }
   return coords;
 }

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "compose/castle_names.h"
+#include "mesh/mirror_window.h"
 #include "package/pack_program.h"
 #include "package/pack_style.h"
 
@@ -101,6 +102,21 @@ std::uint32_t units_read(const SceneParts& parts, const ShapePlan& plan) {
   return units;
 }
 
+/// Whether something on the shape takes it for a flat mirror.
+bool is_mirror(const Scene& scene, const SceneShape& shape) {
+  return std::ranges::any_of(shape.textures, [&](const TextureUse& use) {
+    const int rendered = scene.textures[static_cast<std::size_t>(use.texture)].rendered;
+    return use.generator == CoordGenerator::mirror_plane ||
+           (rendered >= 0 && scene.rendered_textures[static_cast<std::size_t>(rendered)].in_mirror);
+  });
+}
+
+std::unique_ptr<PackedWindow> pack_mirror(const Mesh& mesh) {
+  const auto window = mirror_window(mesh);
+  const auto pack = [](const glm::dvec3& vector) { return PackedVec3(vector.x, vector.y, vector.z); };
+  return window ? std::make_unique<PackedWindow>(pack(window->corner), pack(window->right), pack(window->up)) : nullptr;
+}
+
 }  // namespace
 
 std::uint32_t coordinate_units(const ValidRecipe& program) {
@@ -152,6 +168,7 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
   }
   const Recipe& recipe = parts.programs[static_cast<std::size_t>(plan.variants.front().program)].used;
   pack_style(shape, recipe.point_size, *packed);
+  if (is_mirror(parts.scene, shape)) packed->mirror = pack_mirror(*plan.mesh);
   packed->layer = shape.part == ScenePart::world ? PackedLayer::world : PackedLayer::backdrop;
   packed->projected_coords = pack_projected_coords({parts.scene, shape, where.textures}, units_read(parts, plan));
   for (const ReceivedShadow& shadow : shape.receives) packed->receives.push_back(static_cast<std::uint32_t>(shadow.shadow_map));

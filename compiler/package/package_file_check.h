@@ -68,6 +68,13 @@ struct SceneCheck {
   PackageCheck& check;
   const PackedScene& scene;
 
+  /// Numbers that a slot holds; 0 for none.
+  std::uint64_t slot_size(std::uint32_t index) const {
+    if (index >= scene.slots()->size()) return 0;
+    const PackedSlot& slot = *scene.slots()->Get(index);
+    return std::uint64_t{slot.count()} * component_count(slot.type());
+  }
+
   /// `field` may name a slot with at least `numbers` numbers, or none.
   bool slot(const Place& place, const char* field, std::uint32_t index, std::uint32_t numbers) {
     return index == kNoSlot || present_slot(place, field, index, numbers);
@@ -76,10 +83,16 @@ struct SceneCheck {
   bool present_slot(const Place& place, const char* field, std::uint32_t index, std::uint32_t numbers) {
     if (index >= scene.slots()->size())
       return check.fail(place, fmt::format("{} is slot {}, which does not exist", field, index));
-    const PackedSlot& slot = *scene.slots()->Get(index);
-    const std::uint64_t held = std::uint64_t{slot.count()} * component_count(slot.type());
+    const std::uint64_t held = slot_size(index);
     return held >= numbers ||
            check.fail(place, fmt::format("{} is slot {}, which has {} numbers, not {}", field, index, held, numbers));
+  }
+
+  /// Two slots that hold as many numbers.
+  bool same_size(const Place& place, std::uint32_t from, std::uint32_t to) {
+    if (!present_slot(place, "its start", from, 1) || !present_slot(place, "its end", to, 1)) return false;
+    return slot_size(from) == slot_size(to) ||
+           check.fail(place, fmt::format("{} numbers lead to {}", slot_size(from), slot_size(to)));
   }
 
   bool transform(const Place& place, std::int32_t index) {

@@ -46,17 +46,10 @@ bool has_slots_of_kind(const PackedEventNode& node) {
   return inputs == arity.inputs && outputs == arity.outputs;
 }
 
-/// Numbers that a slot holds; 0 for none.
-std::uint64_t slot_size(const PackedScene& scene, std::uint32_t index) {
-  if (index >= scene.slots()->size()) return 0;
-  const PackedSlot& slot = *scene.slots()->Get(index);
-  return std::uint64_t{slot.count()} * component_count(slot.type());
-}
-
 /// All but the index are values of one size.
 bool check_choices(SceneCheck& scene, const PackedEventNode& node, std::uint64_t size, const Place& place) {
   for (flatbuffers::uoffset_t i = 1; i < node.inputs()->size(); ++i) {
-    const std::uint64_t held = slot_size(scene.scene, node.inputs()->Get(i));
+    const std::uint64_t held = scene.slot_size(node.inputs()->Get(i));
     if (held < size) return scene.check.fail(place, fmt::format("choice {} has {} numbers, not {}", i, held, size));
   }
   return true;
@@ -64,7 +57,7 @@ bool check_choices(SceneCheck& scene, const PackedEventNode& node, std::uint64_t
 
 /// What the kind's arithmetic takes for granted of the value that is sent.
 bool check_width(SceneCheck& scene, const PackedEventNode& node, const Place& place) {
-  const auto width = [&](flatbuffers::uoffset_t output) { return slot_size(scene.scene, node.outputs()->Get(output)); };
+  const auto width = [&](flatbuffers::uoffset_t output) { return scene.slot_size(node.outputs()->Get(output)); };
   const auto is = [&](flatbuffers::uoffset_t output, std::uint64_t wanted) {
     return node.outputs()->Get(output) == kNoSlot || width(output) == wanted ||
            scene.check.fail(place, fmt::format("output {} holds {} numbers, not {}", output, width(output), wanted));
@@ -112,10 +105,7 @@ bool check_node(SceneCheck& scene, const PackedEventNode& node, const Place& pla
 }
 
 bool check_route(SceneCheck& scene, const PackedRoute& route, const Place& place) {
-  const std::uint64_t sent = slot_size(scene.scene, route.from()), received = slot_size(scene.scene, route.to());
-  if (!scene.present_slot(place, "its start", route.from(), 1) || !scene.present_slot(place, "its end", route.to(), 1))
-    return false;
-  if (sent != received) return scene.check.fail(place, fmt::format("{} numbers lead to {}", sent, received));
+  if (!scene.same_size(place, route.from(), route.to())) return false;
   return place.index == 0 ||
          scene.scene.routes()->Get(static_cast<flatbuffers::uoffset_t>(place.index - 1))->from() <= route.from() ||
          scene.check.fail(place, "it is out of order");

@@ -6,12 +6,28 @@
 namespace plugc {
 namespace {
 
+constexpr std::uint32_t kMatrixNumbers = 16;
+
 bool check_sides(PackageCheck& check, const PackedRenderedTexture& texture, const Place& place) {
   const bool cube = texture.kind() == PackedRenderedKind::cube;
   const std::uint32_t largest = cube ? kMaxRenderedCubeSide : kMaxRenderedSide;
   const auto fits = [&](std::uint32_t side) { return side >= 1 && side <= largest; };
   const bool good = fits(texture.width()) && fits(texture.height()) && (!cube || texture.width() == texture.height());
   return good || check.fail(place, fmt::format("its size {} x {} is out of range", texture.width(), texture.height()));
+}
+
+bool check_slots(SceneCheck& scene, const char* word, const flatbuffers::Vector<std::uint32_t>* slots, std::uint32_t numbers,
+                 const Place& place) {
+  return slots == nullptr || scene.check.each(&place, word, *slots, [&](std::uint32_t slot, const Place& at) {
+    return scene.present_slot(at, "it", slot, numbers);
+  });
+}
+
+bool check_loans(SceneCheck& scene, const PackedRenderedTexture& texture, const Place& place) {
+  return texture.loans() == nullptr ||
+         scene.check.each(&place, "loan", *texture.loans(), [&](const PackedRoute* loan, const Place& at) {
+           return scene.same_size(at, loan->from(), loan->to());
+         });
 }
 
 bool check_rendered_texture(SceneCheck& scene, const PackedRenderedTexture& texture, const Place& place) {
@@ -25,9 +41,11 @@ bool check_rendered_texture(SceneCheck& scene, const PackedRenderedTexture& text
   if (!is_index_or_none(texture.viewpoint(), scene.scene.projectors()->size()))
     return check.fail(place, fmt::format("viewpoint {} does not exist", texture.viewpoint()));
   return check_sides(check, texture, place) && scene.slot(place, "background color", texture.background_color(), 3) &&
-         (texture.rendering_slots() == nullptr ||
-          check.each(&place, "rendering slot", *texture.rendering_slots(),
-                     [&](std::uint32_t slot, const Place& at) { return scene.present_slot(at, "it", slot, 1); }));
+         scene.slot(place, "distance from shape", texture.distance_from_shape(), 1) &&
+         check_slots(scene, "rendering slot", texture.rendering_slots(), 1, place) &&
+         check_slots(scene, "viewing slot", texture.viewing_slots(), kMatrixNumbers, place) &&
+         check_slots(scene, "projection slot", texture.projection_slots(), kMatrixNumbers, place) &&
+         check_loans(scene, texture, place);
 }
 
 bool check_screen_effect(SceneCheck& scene, const PackedScreenEffect& effect, const Place& place) {

@@ -115,6 +115,7 @@ bool check_projected_coord(SceneCheck& scene, const PackedBinding& coord, const 
   if (!check.require_index(place, "unit", coord.uniform(), kMaxCoordUnits)) return false;
   if (coord.source() == PackedSource::projector_matrix)
     return check.require_index(place, "shadow map", coord.a(), scene.scene.shadow_maps()->size());
+  if (coord.source() == PackedSource::mirror_projector_matrix) return true;
   if (coord.source() != PackedSource::viewpoint_projector_matrix) return check.fail(place, "nothing projects it");
   return check.require_index(place, "projector", coord.a(), scene.scene.projectors()->size()) &&
          check.require_index(place, "viewpoint", coord.b(), scene.scene.viewpoints()->size() + 1);

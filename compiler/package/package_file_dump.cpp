@@ -136,10 +136,15 @@ void dump_image(Text& text, const PackedImage& image, std::size_t index) {
        sized(*image.pixels(), "bytes"));
 }
 
+std::string border(const PackedBorder* color) {
+  if (color == nullptr) return "";
+  return fmt::format(", border {:g} {:g} {:g} {:g}", color->red(), color->green(), color->blue(), color->alpha());
+}
+
 void dump_texture(Text& text, const PackedTexture& texture, std::size_t index) {
-  line(text, "texture {}: image {}, wrap {} {} {}, filter {} {}", index, texture.image(), EnumNamePackedWrap(texture.wrap_s()),
-       EnumNamePackedWrap(texture.wrap_t()), EnumNamePackedWrap(texture.wrap_r()), EnumNamePackedFilter(texture.minification()),
-       EnumNamePackedFilter(texture.magnification()));
+  line(text, "texture {}: image {}, wrap {} {} {}, filter {} {}{}", index, texture.image(),
+       EnumNamePackedWrap(texture.wrap_s()), EnumNamePackedWrap(texture.wrap_t()), EnumNamePackedWrap(texture.wrap_r()),
+       EnumNamePackedFilter(texture.minification()), EnumNamePackedFilter(texture.magnification()), border(texture.border()));
 }
 
 // ---- scenes ----
@@ -279,6 +284,8 @@ void dump_shape(Text& text, const Package& package, const PackedShape& shape, st
          EnumNamePackedBlendFactor(shape.blend_destination()));
   }
   dump_style(text, shape);
+  if (const PackedWindow* mirror = shape.mirror())
+    line(text, "    mirror from {}, sides {} and {}", vec3(mirror->corner()), vec3(mirror->right()), vec3(mirror->up()));
   const auto& maps = *shape.receives();
   if (maps.size() != 0) line(text, "    receives shadow maps {}", fmt::join(maps.data(), maps.data() + maps.size(), " "));
   dump_programs(text, package, shape_programs(shape, 0));
@@ -330,15 +337,21 @@ void dump_bindings_now(Text& text, const PackedScene& scene) {
 }
 
 void dump_rendered_texture(Text& text, const PackedRenderedTexture& texture, std::size_t index) {
-  line(text, "  rendered texture {}: {} {} x {}, update {}, viewpoint {}{}, background color slot {}", index,
+  line(text, "  rendered texture {}: {} {} x {}, update {}, viewpoint {}{}{}, background color slot {}", index,
        EnumNamePackedRenderedKind(texture.kind()), texture.width(), texture.height(),
        EnumNamePackedShadowUpdate(texture.update()), texture.viewpoint(), texture.own_scene() ? ", own scene" : "",
-       slot(texture.background_color()));
-  line(text, "    wraps {} {}, filters {} {}", EnumNamePackedWrap(texture.wrap_s()), EnumNamePackedWrap(texture.wrap_t()),
-       EnumNamePackedFilter(texture.minification()), EnumNamePackedFilter(texture.magnification()));
-  const auto* slots = texture.rendering_slots();
-  if (slots != nullptr && slots->size() != 0)
-    line(text, "    rendering slots {}", fmt::join(slots->data(), slots->data() + slots->size(), " "));
+       texture.own_backdrop() ? ", own backdrop" : "", slot(texture.background_color()));
+  if (texture.in_mirror()) line(text, "    in a mirror, distance from shape {}", slot(texture.distance_from_shape()));
+  line(text, "    wraps {} {}, filters {} {}{}", EnumNamePackedWrap(texture.wrap_s()), EnumNamePackedWrap(texture.wrap_t()),
+       EnumNamePackedFilter(texture.minification()), EnumNamePackedFilter(texture.magnification()), border(texture.border()));
+  const auto dump_slots = [&](const char* word, const flatbuffers::Vector<std::uint32_t>* list) {
+    if (list != nullptr && list->size() != 0) line(text, "    {} slots{}", word, slots(*list));
+  };
+  dump_slots("rendering", texture.rendering_slots());
+  dump_slots("viewing", texture.viewing_slots());
+  dump_slots("projection", texture.projection_slots());
+  for (flatbuffers::uoffset_t i = 0; texture.loans() != nullptr && i < texture.loans()->size(); ++i)
+    line(text, "    slot {} holds slot {} meanwhile", texture.loans()->Get(i)->to(), texture.loans()->Get(i)->from());
 }
 
 void dump_screen_effect(Text& text, const Package& package, const PackedScreenEffect& effect, std::size_t index) {

@@ -36,6 +36,8 @@ void SceneWalk::run() {
   finish_bindings();
   add_background();
   if (context_.options.all_branches) add_unreached_effects();
+  separate_mirrors(context_.scene, context_.own_backgrounds);
+  lend_own_fogs(context_, bound_fog_);
   finish_shapes(0);
   context_.scene.global_ambient = context_.slots.constant(SlotType::vec3, {kGlobalAmbient, kGlobalAmbient, kGlobalAmbient});
   if (context_.scene.background_color == kSceneNoSlot) context_.scene.background_color = default_sky(context_);
@@ -116,19 +118,37 @@ void SceneWalk::finish_shapes(std::size_t first) {
   }
 }
 
-/// The scenes that rendered textures have of their own: nothing of the world reaches into them. They may add textures.
+/// Nothing of the world reaches into it.
+void SceneWalk::visit_own_scene(int texture) {
+  const NodeId node = context_.scene.rendered_textures[static_cast<std::size_t>(texture)].node;
+  own_scene_of_ = texture;
+  navigation_info_ = {};
+  bound_fog_.reset();
+  if (const NodeId fog = graph_.child(node, "fog"); graph_.is(fog, "Fog")) bound_fog_ = add_fog(context_, fog, -1);
+  global_lights_.clear();
+  const std::size_t first = context_.scene.shapes.size();
+  const NodeId root = graph_.child(node, "scene");
+  visit_list({&root, 1});
+  finish_shapes(first);
+}
+
+/// What is around the view of a rendered texture that has a Background of its own.
+void SceneWalk::add_own_background(int texture) {
+  const auto found = context_.own_backgrounds.find(texture);
+  if (found == context_.own_backgrounds.end()) return;
+  const std::size_t first = context_.scene.shapes.size();
+  const BoundBackground background = found->second;
+  add_backdrop(context_, background.node, background.transform);
+  for (std::size_t i = first; i < context_.scene.shapes.size(); ++i) context_.scene.shapes[i].own_scene_of = texture;
+  appearances_.resize(context_.scene.shapes.size());
+}
+
+/// The scenes and backgrounds that rendered textures have of their own. They may add textures.
 void SceneWalk::visit_own_scenes() {
   const auto& textures = context_.scene.rendered_textures;
   for (std::size_t i = 0; i < textures.size(); ++i) {
-    if (!textures[i].own_scene) continue;
-    own_scene_of_ = static_cast<int>(i);
-    navigation_info_ = {};
-    bound_fog_.reset();
-    global_lights_.clear();
-    const std::size_t first = context_.scene.shapes.size();
-    const NodeId root = graph_.child(textures[i].node, "scene");
-    visit_list({&root, 1});
-    finish_shapes(first);
+    if (textures[i].own_scene) visit_own_scene(static_cast<int>(i));
+    add_own_background(static_cast<int>(i));
   }
 }
 

@@ -8,7 +8,7 @@ namespace plugc {
 namespace {
 
 constexpr std::string_view kLightKinds[] = {"directional", "point", "spot"};
-constexpr std::string_view kFogKinds[] = {"none", "linear", "exponential"};
+constexpr std::string_view kFogKinds[] = {"none", "linear", "exponential", "either"};
 constexpr std::string_view kParts[] = {"", " gradient", " back", " bottom", " front", " left", " right", " top"};
 constexpr std::string_view kRenderedKinds[] = {"color", "depth", "cube"};
 constexpr std::string_view kPartStages[] = {"VERTEX", "GEOMETRY", "FRAGMENT", "LIGHT"};
@@ -84,9 +84,10 @@ std::string dump_scene(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.rendered_textures.size(); ++i) {
     const SceneRenderedTexture& texture = scene.rendered_textures[i];
-    text += fmt::format("rendered texture {} {} {} x {} viewpoint {}{}\n", i,
+    text += fmt::format("rendered texture {} {} {} x {} viewpoint {}{}{}{}{}\n", i,
                         kRenderedKinds[static_cast<std::size_t>(texture.kind)], texture.width, texture.height,
-                        texture.viewpoint, texture.own_scene ? " own scene" : "");
+                        texture.viewpoint, texture.own_scene ? " own scene" : "", texture.in_mirror ? " in mirror" : "",
+                        texture.own_backdrop ? " own backdrop" : "", texture.loans.empty() ? "" : " own fog");
   }
   for (std::size_t i = 0; i < scene.screen_effects.size(); ++i) {
     const SceneScreenEffect& effect = scene.screen_effects[i];

@@ -13,6 +13,12 @@
 
 namespace plugc {
 
+/// A Background and where it stands.
+struct BoundBackground {
+  NodeId node;
+  int transform = -1;
+};
+
 /// The nodes of one kind that may be bound.
 struct BindStack {
   bool changes = false;                ///< Events may bind another than the first, or none.
@@ -51,6 +57,7 @@ struct SceneContext {
   std::map<NodeId, int> sensor_transforms;            ///< Where each ProximitySensor stands first.
   std::set<NodeId> screen_effects;                    ///< That were met.
   std::map<NodeId, int> own_viewpoints;               ///< Transforms of those in the scenes of rendered textures.
+  std::map<int, BoundBackground> own_backgrounds;     ///< By rendered texture.
   std::map<std::pair<NodeId, int>, int> shadow_maps;  ///< By GeneratedShadowMap and light; -1: never drawn.
 };
 
@@ -96,6 +103,9 @@ int add_clip_plane(SceneContext& context, NodeId plane, int transform);
 
 /// A Fog or LocalFog where it stands; -1 when its visibilityRange says that there is none.
 int add_fog(SceneContext& context, NodeId fog, int transform);
+/// Lets the rendered textures that show the world with a fog of their own lend it to the world's, which is added where there is
+/// none. `bound` is the world's: none yet, or -1 for one that hides nothing.
+void lend_own_fogs(SceneContext& context, std::optional<int>& bound);
 
 /// The shapes of the bound Background: its gradients and pictures.
 void add_backdrop(SceneContext& context, NodeId background, int transform);
@@ -105,6 +115,8 @@ int rendered_texture_index(SceneContext& context, NodeId texture);
 
 /// Takes what a rendered texture's own scene is seen through: the first Viewpoint and Background there. False for another node.
 bool bind_in_own_scene(SceneContext& context, NodeId node, int transform, int texture);
+/// Gives each of the shapes that mirror through one texture a texture of its own.
+void separate_mirrors(Scene& scene, std::map<int, BoundBackground>& own_backgrounds);
 /// Puts the textures of a texture's own scene before it.
 void sort_rendered_textures(SceneContext& context);
 

@@ -48,7 +48,9 @@ bool is_unmade(const NodeGraph& graph, const EventField& field) {
   if (bind_kind(graph, node) && (field.second == "isBound" || field.second == "bindTime")) return false;
   const bool by_hand = graph.is(node, "X3DPointingDeviceSensorNode") || graph.is(node, "X3DKeyDeviceSensorNode") ||
                        graph.is(node, "X3DNetworkSensorNode");
-  if (by_hand || (graph.is(node, "RenderedTexture") && field.second == "rendering")) return false;  // the frame makes that one
+  constexpr std::string_view kOfFrame[] = {"rendering", "viewing", "projection"};
+  const bool of_frame = graph.is(node, "RenderedTexture") && std::ranges::find(kOfFrame, field.second) != std::end(kOfFrame);
+  if (by_hand || of_frame) return false;
   if (graph.is(node, "X3DScriptNode")) return true;
   const EventNodeInfo* info = find_event_node(graph[node].info->name);
   if (info != nullptr && find_field_index(info->outputs, field.second) >= 0) return false;

@@ -1,19 +1,87 @@
-// Fog and LocalFog (X3D 4.1, clause 24).
+// Fog and LocalFog (X3D 4.1, clause 24). A rendered texture may show the world in another fog than the picture. The world's
+// shapes have one program each, so while such a texture is drawn the values of its fog stand in the place of the world's; where
+// their types differ, the type is a value, too.
+
+#include <algorithm>
+#include <vector>
 
 #include "scene/scene_context.h"
 
 namespace plugc {
 
+namespace {
+
+FogKind read_kind(const NodeGraph& graph, NodeId fog) {
+  return graph.string(fog, "fogType") == "EXPONENTIAL" ? FogKind::exponential : FogKind::linear;
+}
+
+/// Unlike a constant, it is nobody else's.
+std::uint32_t add_slot(SceneContext& context, SlotType type, std::vector<double> values) {
+  Slot slot;
+  slot.type = type;
+  slot.values = std::move(values);
+  context.scene.slots.push_back(std::move(slot));
+  return static_cast<std::uint32_t>(context.scene.slots.size() - 1);
+}
+
+/// One that hides nothing, until another lends it its values.
+int add_clear_fog(SceneContext& context, FogKind kind) {
+  SceneFog fog;
+  fog.kind = kind;
+  fog.color = add_slot(context, SlotType::vec3, {1, 1, 1});
+  fog.visibility_range = add_slot(context, SlotType::float_, {0});
+  context.scene.fogs.push_back(fog);
+  return static_cast<int>(context.scene.fogs.size() - 1);
+}
+
+struct OwnFog {
+  SceneRenderedTexture* texture = nullptr;
+  NodeId node;
+};
+
+std::vector<OwnFog> own_fogs(SceneContext& context) {
+  std::vector<OwnFog> found;
+  for (SceneRenderedTexture& texture : context.scene.rendered_textures) {
+    if (texture.own_scene || !context.graph.has_field(texture.node, "fog")) continue;
+    const NodeId fog = context.graph.child(texture.node, "fog");
+    if (context.graph.is(fog, "Fog")) found.push_back({&texture, fog});
+  }
+  return found;
+}
+
+}  // namespace
+
 int add_fog(SceneContext& context, NodeId node, int transform) {
   SlotTable& slots = context.slots;
   if (context.graph.number(node, "visibilityRange") <= 0 && !slots.may_change(node, "visibilityRange")) return -1;
   SceneFog fog;
-  fog.kind = context.graph.string(node, "fogType") == "EXPONENTIAL" ? FogKind::exponential : FogKind::linear;
+  fog.kind = read_kind(context.graph, node);
   fog.transform = transform;
   fog.color = slots.slot(node, "color");
   fog.visibility_range = slots.slot(node, "visibilityRange");
   context.scene.fogs.push_back(fog);
   return static_cast<int>(context.scene.fogs.size() - 1);
+}
+
+void lend_own_fogs(SceneContext& context, std::optional<int>& bound) {
+  const NodeGraph& graph = context.graph;
+  const std::vector<OwnFog> own = own_fogs(context);
+  if (own.empty()) return;
+  if (bound.value_or(-1) < 0) bound = add_clear_fog(context, read_kind(graph, own.front().node));
+  SceneFog& world = context.scene.fogs[static_cast<std::size_t>(*bound)];
+  const bool differ = std::ranges::any_of(own, [&](const OwnFog& fog) { return read_kind(graph, fog.node) != world.kind; });
+  if (differ) {
+    world.exponential = add_slot(context, SlotType::float_, {world.kind == FogKind::exponential ? 1.0 : 0.0});
+    world.kind = FogKind::either;
+  }
+  for (const OwnFog& fog : own) {
+    std::vector<SlotLoan>& loans = fog.texture->loans;
+    loans.push_back({context.slots.slot(fog.node, "color"), world.color});
+    loans.push_back({context.slots.slot(fog.node, "visibilityRange"), world.visibility_range});
+    if (!differ) continue;
+    const double exponential = read_kind(graph, fog.node) == FogKind::exponential ? 1 : 0;
+    loans.push_back({context.slots.constant(SlotType::float_, {exponential}), world.exponential});
+  }
 }
 
 }  // namespace plugc

@@ -2,7 +2,9 @@
 // (34.4.2).
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -48,11 +50,11 @@ void read_sides(SceneContext& context, NodeId node, SceneRenderedTexture& textur
   texture.height = side("height", 1);
 }
 
-/// The boolean fields to which ROUTEs lead from `rendering`.
-std::vector<std::uint32_t> rendering_slots(SceneContext& context, NodeId node) {
+/// The fields to which ROUTEs lead from an output of the texture.
+std::vector<std::uint32_t> slots_behind(SceneContext& context, NodeId node, std::string_view output) {
   std::vector<std::uint32_t> slots;
   for (const GraphRoute& route : context.graph.routes()) {
-    if (route.from != node || route.from_field != "rendering") continue;
+    if (route.from != node || route.from_field != output) continue;
     if (const std::uint32_t slot = context.slots.declared_slot(route.to, route.to_field); slot != kSceneNoSlot)
       slots.push_back(slot);
   }
@@ -68,10 +70,16 @@ SceneRenderedTexture read_picture(SceneContext& context, NodeId node) {
   if (!depth.empty() && depth.front() != 0) texture.kind = RenderedKind::depth;
   const NodeId viewpoint = graph.child(node, "viewpoint");
   if (graph.is(viewpoint, "X3DViewpointNode")) texture.viewpoint = projector_index(context, viewpoint);
+  texture.in_mirror = graph.is(viewpoint, "ViewpointMirror");
+  if (texture.in_mirror) texture.distance_from_shape = context.slots.slot(viewpoint, "distanceFromShape");
   texture.own_scene = graph.child(node, "scene").valid();
   const NodeId background = graph.child(node, "background");
-  if (graph.is(background, "X3DBackgroundNode")) texture.background_color = context.slots.slot(background, "skyColor");
-  texture.rendering_slots = rendering_slots(context, node);
+  const bool own_background = graph.is(background, "X3DBackgroundNode");
+  if (own_background) texture.background_color = context.slots.slot(background, "skyColor");
+  texture.own_backdrop = texture.own_scene || own_background;
+  texture.rendering_slots = slots_behind(context, node, "rendering");
+  texture.viewing_slots = slots_behind(context, node, "viewing");
+  texture.projection_slots = slots_behind(context, node, "projection");
   return texture;
 }
 
@@ -92,7 +100,11 @@ int rendered_texture_index(SceneContext& context, NodeId node) {
   texture.node = node;
   texture.update = read_update(context, node);
   context.scene.rendered_textures.push_back(std::move(texture));
-  return static_cast<int>(context.scene.rendered_textures.size() - 1);
+  const int index = static_cast<int>(context.scene.rendered_textures.size() - 1);
+  const NodeId background = cube ? NodeId() : context.graph.child(node, "background");
+  if (context.graph.is(background, "X3DBackgroundNode"))
+    context.own_backgrounds.emplace(index, BoundBackground{background, -1});
+  return index;
 }
 
 bool bind_in_own_scene(SceneContext& context, NodeId node, int transform, int index) {
@@ -102,7 +114,8 @@ bool bind_in_own_scene(SceneContext& context, NodeId node, int transform, int in
     context.own_viewpoints.emplace(node, transform);
     texture.viewpoint = projector_index(context, node);
   } else if (context.graph.is(node, "X3DBackgroundNode")) {
-    if (texture.background_color == kSceneNoSlot) texture.background_color = context.slots.slot(node, "skyColor");
+    if (!context.own_backgrounds.try_emplace(index, BoundBackground{node, transform}).second) return true;
+    texture.background_color = context.slots.slot(node, "skyColor");
   } else if (context.graph.is(node, "ScreenEffect")) {
     context.diagnostics.report(DiagnosticId::not_drawn, context.graph[node].type_span,
                                "a `ScreenEffect` acts on the picture, not on a rendered texture; it is left out");
@@ -110,6 +123,33 @@ bool bind_in_own_scene(SceneContext& context, NodeId node, int transform, int in
     return false;
   }
   return true;
+}
+
+namespace {
+
+/// Another texture that shows the same, whatever that is in another shape.
+int copy_of(Scene& scene, int texture, std::map<int, BoundBackground>& own_backgrounds) {
+  SceneTexture copy = scene.textures[static_cast<std::size_t>(texture)];
+  SceneRenderedTexture rendered = scene.rendered_textures[static_cast<std::size_t>(copy.rendered)];
+  const auto background = own_backgrounds.find(copy.rendered);
+  copy.rendered = static_cast<int>(scene.rendered_textures.size());
+  if (background != own_backgrounds.end()) own_backgrounds.emplace(copy.rendered, background->second);
+  scene.rendered_textures.push_back(std::move(rendered));
+  scene.textures.push_back(std::move(copy));
+  return static_cast<int>(scene.textures.size() - 1);
+}
+
+}  // namespace
+
+void separate_mirrors(Scene& scene, std::map<int, BoundBackground>& own_backgrounds) {
+  std::set<int> taken;  // textures
+  for (SceneShape& shape : scene.shapes) {
+    for (TextureUse& use : shape.textures) {
+      const int rendered = scene.textures[static_cast<std::size_t>(use.texture)].rendered;
+      if (rendered < 0 || !scene.rendered_textures[static_cast<std::size_t>(rendered)].in_mirror) continue;
+      if (!taken.insert(use.texture).second) use.texture = copy_of(scene, use.texture, own_backgrounds);
+    }
+  }
 }
 
 namespace {

@@ -42,11 +42,17 @@ NodeId properties_of(const NodeGraph& graph, NodeId texture) {
   return graph.is(properties, "TextureProperties") ? properties : NodeId();
 }
 
+/// Its border would be transparent black where nobody wrote one. The reference engine continues the edge, measured.
+bool has_border(const NodeGraph& graph, NodeId properties) {
+  return graph.is_written(properties, "borderColor") || graph.integer(properties, "borderWidth") > 0;
+}
+
 /// `repeatS` and its like, unless TextureProperties say more (X3D 4.1, 18.4.7).
 Wrap read_wrap(const NodeGraph& graph, NodeId texture, std::string_view repeat, std::string_view boundary_mode) {
   if (const NodeId properties = properties_of(graph, texture); properties.valid()) {
     const std::string_view mode = graph.string(properties, boundary_mode);
     if (mode == "MIRRORED_REPEAT") return Wrap::mirrored_repeat;
+    if (mode == "CLAMP_TO_BOUNDARY" && has_border(graph, properties)) return Wrap::clamp_to_border;
     return mode == "REPEAT" ? Wrap::repeat : Wrap::clamp_to_edge;
   }
   const bool repeats = !graph.has_field(texture, repeat) || graph.boolean(texture, repeat);
@@ -71,9 +77,11 @@ TextureFilter read_magnification(std::string_view name) {
   return name == "NEAREST_PIXEL" || name == "NEAREST" ? TextureFilter::nearest : TextureFilter::linear;
 }
 
-void read_filters(const NodeGraph& graph, NodeId node, SceneTexture& texture) {
+void read_properties(const NodeGraph& graph, NodeId node, SceneTexture& texture) {
   const NodeId properties = properties_of(graph, node);
   if (!properties.valid()) return;
+  const auto border = graph.field(properties, "borderColor").numbers;
+  std::copy_n(border.begin(), std::min(border.size(), texture.border_color.size()), texture.border_color.begin());
   texture.minification = read_minification(graph.string(properties, "minificationFilter"));
   texture.magnification = read_magnification(graph.string(properties, "magnificationFilter"));
 }
@@ -106,7 +114,7 @@ SceneTexture read_texture(SceneContext& context, NodeId node, const TextureType&
   texture.wrap_s = read_wrap(graph, node, "repeatS", "boundaryModeS");
   texture.wrap_t = read_wrap(graph, node, "repeatT", "boundaryModeT");
   texture.wrap_r = read_wrap(graph, node, "repeatR", "boundaryModeR");
-  read_filters(graph, node, texture);
+  read_properties(graph, node, texture);
   texture.default_coord = default_coord(graph, node, type.kind);
   texture.effects = effect_list(context, node);
   texture.rendered = rendered_texture_index(context, node);
@@ -141,7 +149,7 @@ struct GeneratorMode {
   CoordGenerator generator;
 };
 
-/// COORD-EYE and CAMERASPACEPOSITION are one.
+/// COORD-EYE and CAMERASPACEPOSITION are one; of any other name, the geometry's own coordinates are used.
 constexpr GeneratorMode kGeneratorModes[] = {
     {"SPHERE", CoordGenerator::sphere},
     {"CAMERASPACENORMAL", CoordGenerator::camera_space_normal},
@@ -156,6 +164,7 @@ constexpr GeneratorMode kGeneratorModes[] = {
     {"SPHERE-REFLECT-LOCAL", CoordGenerator::sphere_reflect_local},
     {"WORLDSPACENORMAL", CoordGenerator::world_space_normal},
     {"WORLDSPACEREFLECTIONVECTOR", CoordGenerator::world_space_reflection},
+    {"MIRROR-PLANE", CoordGenerator::mirror_plane},
 };
 
 /// parameter[0] is an index of refraction, parameter[1] to [3] an eye point; 1 0 0 0 where nothing is said.
@@ -181,14 +190,11 @@ void read_generator(SceneContext& context, NodeId node, const SceneTexture& text
     return;
   }
   const auto* found = std::ranges::find(kGeneratorModes, mode, &GeneratorMode::name);
-  if (found != std::end(kGeneratorModes)) use.generator = found->generator;
+  if (found == std::end(kGeneratorModes)) return;  // no mode at all, which is told
+  use.generator = found->generator;
   const bool reflects =
       use.generator == CoordGenerator::sphere_reflect || use.generator == CoordGenerator::sphere_reflect_local;
   if (reflects) use.parameter = generator_parameter(context, node);
-  if (found != std::end(kGeneratorModes)) return;
-  context.diagnostics.report(
-      DiagnosticId::not_drawn, context.graph.field_span(node, "mode"),
-      fmt::format("texture coordinates in mode `{}` are not made yet; the geometry's own coordinates are used", mode));
 }
 
 /// No texture coordinate node knows where a vertex lies in the map of a point light: such a map brings its own.

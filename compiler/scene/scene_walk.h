@@ -80,6 +80,8 @@ class SceneWalk {
   void add_changing_background();
   const BindStack& stack(BindKind kind) const { return context_.stacks[static_cast<std::size_t>(kind)]; }
   void finish_shapes(std::size_t first);
+  void visit_own_scene(int texture);
+  void add_own_background(int texture);
   void visit_own_scenes();
   void add_unreached_effects();
 

@@ -1,5 +1,5 @@
-// GL_DEPTH_CLAMP is on in every pass: a caster between the light and the near plane still casts, and no camera fit can
-// cut a hole into a scene. What is clamped keeps its place in the picture and loses only its order in depth.
+// GL_DEPTH_CLAMP is on in every pass but what a mirror shows: a caster between the light and the near plane still casts, and no
+// camera fit can cut a hole into a scene. What is clamped keeps its place in the picture and loses only its order in depth.
 
 #include "runtime/gl/pass.h"
 
@@ -77,6 +77,10 @@ void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(reversed ? -scale : scale, reversed ? -bias : bias);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
+}
+
+void clip_depth(const Functions& gl, bool on) {
+  set_enabled(gl, GL_DEPTH_CLAMP, !on);
 }
 
 void set_far_away(const Functions& gl, bool on) {

@@ -22,6 +22,9 @@ void begin_color_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
 void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size, float scale, float bias,
                       bool reversed);
 
+/// On: what lies before the near plane or behind the far one is not drawn, until the next pass begins. Off: depth is clamped.
+void clip_depth(const Functions& gl, bool on);
+
 /// While it is on, whatever is drawn lies as far away as can be: nothing is behind it.
 void set_far_away(const Functions& gl, bool on);
 

@@ -75,6 +75,12 @@ void set_wrap(const Functions& gl, GLenum target, GLint s, GLint t, GLint r) {
   gl.TexParameteri(target, GL_TEXTURE_WRAP_R, r);
 }
 
+void set_border(const Functions& gl, GLenum target, const PackedBorder* border) {
+  if (border == nullptr) return;
+  const std::array<GLfloat, 4> color = {border->red(), border->green(), border->blue(), border->alpha()};
+  gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, color.data());
+}
+
 void upload_slices(const Functions& gl, GLenum target, GLsizei width, GLsizei height, GLsizei depth, const std::uint8_t* rgba) {
   if (target == GL_TEXTURE_3D) {
     gl.TexImage3D(target, 0, GL_RGBA8, width, height, depth, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
@@ -138,6 +144,7 @@ Texture upload_texture(const Functions& gl, const PackedTexture& texture, const 
   set_filters(gl, target, filter_of(texture.minification()),
               has_mipmaps(texture.magnification()) ? GL_LINEAR : filter_of(texture.magnification()));
   set_wrap(gl, target, wrap_of(texture.wrap_s()), wrap_of(texture.wrap_t()), wrap_of(texture.wrap_r()));
+  set_border(gl, target, texture.border());
   if (has_mipmaps(texture.minification())) gl.GenerateMipmap(target);
   return handle;
 }
@@ -149,6 +156,7 @@ Texture begin_drawn_texture(const Functions& gl, GLenum target, const TextureSet
   Texture texture = begin_texture(gl, target);
   set_filters(gl, target, filter_of(settings.minification), filter_of(settings.magnification));
   set_wrap(gl, target, wrap_of(settings.wrap_s), wrap_of(settings.wrap_t), GL_CLAMP_TO_EDGE);
+  set_border(gl, target, settings.border);
   return texture;
 }
 

@@ -22,6 +22,7 @@ Texture upload_texture(const Functions& gl, const PackedTexture& texture, const 
 struct TextureSettings {
   PackedWrap wrap_s = PackedWrap::clamp_to_edge, wrap_t = PackedWrap::clamp_to_edge;
   PackedFilter minification = PackedFilter::linear, magnification = PackedFilter::linear;
+  const PackedBorder* border = nullptr;  ///< Null: all 0.
 };
 
 /// Colours of 8 bits a channel to draw into; `target` 2D or cube.

@@ -88,14 +88,12 @@ constexpr std::string_view kExceptions[] = {
     "EnvironmentLight",
     "FontLibrary",
     "InlineGeometry",  // of X3D 4.1, not drawn
-    "Tangent",         // tangents are computed
     "MovieTexture",    // shows a picture as ImageTexture does
     // of the reference engine and of other viewers, not drawn
     "ImageBackground",
     "MultiGeneratedTextureCoordinate",
     "Plane",
     "Text3D",
-    "ViewpointMirror",
     // of the reference engine, drawn as the nodes that they extend, or only settings
     "KambiAppearance",
     "KambiHeadLight",

@@ -127,6 +127,10 @@ inline PackedRenderedTextureT sample_rendered_texture() {
   texture.update = PackedShadowUpdate::always;
   texture.background_color = kSampleColor;
   texture.rendering_slots = {kSampleScalar};
+  texture.border = std::make_unique<PackedBorder>(1, 0, 0, 1);
+  texture.distance_from_shape = kSampleScalar;
+  texture.own_backdrop = true;
+  texture.loans = {{kSampleColor, kSampleColor}};
   return texture;
 }
 

@@ -360,6 +360,16 @@ TEST(PackageFile, ChecksRenderedTextures) {
             "scene 0, rendered texture 0, rendering slot 0: it is slot 7, which does not exist");
   EXPECT_EQ(error_after([&](PackageT& p) { texture(p).magnification = PackedFilter::linear_mipmap_linear; }),
             "scene 0, rendered texture 0: its filter is unknown");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).distance_from_shape = 7; }),
+            "scene 0, rendered texture 0: distance from shape is slot 7, which does not exist");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).viewing_slots = {kSampleColor}; }),
+            "scene 0, rendered texture 0, viewing slot 0: it is slot 0, which has 3 numbers, not 16");
+  EXPECT_EQ(error_after([&](PackageT& p) { texture(p).projection_slots = {7}; }),
+            "scene 0, rendered texture 0, projection slot 0: it is slot 7, which does not exist");
+  EXPECT_EQ(error_after([&](PackageT& p) {
+              texture(p).loans = {{kSampleScalar, kSampleColor}};
+            }),
+            "scene 0, rendered texture 0, loan 0: 1 numbers lead to 3");
   EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shapes[0]->own_scene_of = 1; }),
             "scene 0, shape 0: rendered texture 1 does not exist");
   EXPECT_EQ(error_after([](PackageT& p) {
