@@ -110,26 +110,28 @@ int build(const BuildOptions& options) {
 void add_build_command(CLI::App& app, int& status) {
   auto options = std::make_shared<BuildOptions>();
   CLI::App* verb = app.add_subcommand("build", "Compile scenes into a package that the runtime draws");
-  verb->add_option("SCENE", options->scenes, "X3D scenes (.x3dv, .x3d, .x3dj, .wrl), or folders to search for them")
+  verb->add_option("SCENE", options->scenes,
+                   "X3D scenes (.x3dv, .x3d, .x3dj, .wrl) or glTF models, or folders to search for scenes")
       ->required()
       ->check(CLI::ExistingPath);
   verb->add_option("-o,--output", options->output, "The package to write (.plugpack)")->required();
-  verb->add_option("--target", options->common.targets, "Dialects to compile for: glsl330, essl300, spirv")
+  verb->add_option("--target", options->common.targets, "Dialects to compile for, separated by commas (default: glsl330)")
       ->delimiter(',')
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
-  verb->add_option("--depfile", options->depfile, "Also write what the package depends on, for make and ninja");
+  verb->add_option("--depfile", options->depfile, "Also write a file that tells make or ninja what the package depends on");
   add_dynamic_option(*verb, options->common);
   add_optimize_option(*verb, options->common);
   add_shadows_option(*verb, options->common);
-  verb->add_option("--shadow-error", options->shadow_error,
-                   "Draw and measure, and choose for each light the cheapest shadow map of whose pixels no more than that are "
-                   "wrong, on the average of the viewpoints, e.g. 0.5%")
+  verb->add_option(
+          "--shadow-error", options->shadow_error,
+          "Choose for each light the cheapest shadow map with which at most this share of the pixels is wrong, e.g. 0.5%: "
+          "draws the scene from all its viewpoints and measures")
       ->check([](const std::string& text) {
         return read_percentage(text) ? ""
                                      : fmt::format("`{}` is no share of wrong pixels; write a percentage, e.g. 0.5%", text);
       });
   verb->add_option("--size", options->size,
-                   "Size of the pictures that --shadow-error counts pixels of; with many viewpoints less, 16 megapixels in all")
+                   "Size of the pictures in which --shadow-error counts pixels; smaller where all viewpoints together pass 16 megapixels")
       ->capture_default_str();
   add_common_options(*verb, options->common);
   add_jobs_option(*verb, options->common, "Programs that are validated at a time");

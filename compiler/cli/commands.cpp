@@ -74,7 +74,8 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
       "--root", options.root,
       "Folder that scenes may read files from (default: the nearest one above the scene that holds .plugc.toml or .git, "
       "else the current folder where the scene lies in it, else the scene's own)");
-  verb.add_flag("--no-cache", options.no_cache, "Neither read nor write plugc's cache folder");
+  verb.add_flag("--no-cache", options.no_cache,
+                "Neither read nor write the cache folder ($PLUGC_CACHE_DIR, else $XDG_CACHE_HOME/plugc, else ~/.cache/plugc)");
 }
 
 void add_dynamic_option(CLI::App& verb, CommonOptions& options) {
@@ -90,10 +91,11 @@ void add_optimize_option(CLI::App& verb, CommonOptions& options) {
 }
 
 void add_shadows_option(CLI::App& verb, CommonOptions& options) {
-  verb.add_option("--shadows", options.shadows,
-                  fmt::format("Method, and perhaps size in texels, of the shadow maps of which the scene does not say it, as "
-                              "METHOD[,SIZE]: {}",
-                              fmt::join(shadow_method_names(), ", ")))
+  verb.add_option(
+          "--shadows", options.shadows,
+          fmt::format("How shadow maps are looked up, and their size in texels, where the scene does not say it: METHOD or "
+                      "METHOD,SIZE with a method of {}",
+                      fmt::join(shadow_method_names(), ", ")))
       ->check([](const std::string& text) { return read_shadow_defaults(text).error; });
 }
 

@@ -152,7 +152,7 @@ int inspect(const InspectOptions& options) {
 void add_inspect_command(CLI::App& app, int& status) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* verb = app.add_subcommand("inspect", "Show what plugc makes of a scene, phase by phase");
-  verb->add_option("SCENE|PACKAGE", options->input, "An X3D scene, or a package that `plugc build` wrote")
+  verb->add_option("SCENE|PACKAGE", options->input, "An X3D scene or a glTF model, or a package that `plugc build` wrote")
       ->required()
       ->check(CLI::ExistingFile);
   verb->add_option("--dump", options->dump, "A phase as text: document, scene, recipes, programs, package")
@@ -161,11 +161,12 @@ void add_inspect_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"classic", "xml", "json"}));
   verb->add_option("--program", options->program,
                    "One composed program: what feeds it, what each effect costs, and its text with the origin of every line");
-  verb->add_flag("--orders", options->orders, "Which effects that meet at a plug may be written in either order: draws both");
+  verb->add_flag("--orders", options->orders,
+                 "Of effects that meet at a plug, which may be written in either order: draws both orders");
   verb->add_option("--format", options->format, "How to print programs: text or json")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
-  verb->add_option("--target", options->common.targets, "Dialects to compose for: glsl330, essl300, spirv")
+  verb->add_option("--target", options->common.targets, "Dialects to compose for, separated by commas (default: glsl330)")
       ->delimiter(',')
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
   add_dynamic_option(*verb, options->common);

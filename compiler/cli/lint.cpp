@@ -80,7 +80,7 @@ void add_lint_command(CLI::App& app, int& status) {
   verb->add_option("--format", options->format, "How to print messages: text (stderr), json, sarif or github (stdout)")
       ->check(CLI::IsMember({"text", "json", "sarif", "github"}))
       ->capture_default_str();
-  verb->add_option("--target", options->common.targets, "Dialects to check for: glsl330, essl300, spirv")
+  verb->add_option("--target", options->common.targets, "Dialects to check for, separated by commas (default: glsl330)")
       ->delimiter(',')
       ->check(CLI::IsMember({"glsl330", "essl300", "spirv"}));
   add_shadows_option(*verb, options->common);

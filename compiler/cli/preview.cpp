@@ -198,7 +198,7 @@ int preview(const PreviewOptions& options) {
 void add_preview_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PreviewOptions>();
   CLI::App* verb = app.add_subcommand("preview", "Draw a scene or a package into a PNG picture");
-  verb->add_option("SCENE|PACKAGE", options->input, "An X3D scene, or a package that `plugc build` wrote")
+  verb->add_option("SCENE|PACKAGE", options->input, "An X3D scene or a glTF model, or a package that `plugc build` wrote")
       ->required()
       ->check(CLI::ExistingFile);
   verb->add_option("-o,--output", options->output, "The picture to write (.png)")->required();
