@@ -104,11 +104,11 @@ std::uint32_t units_read(const SceneParts& parts, const ShapePlan& plan) {
 
 /// Whether something on the shape takes it for a flat mirror.
 bool is_mirror(const Scene& scene, const SceneShape& shape) {
-  return std::ranges::any_of(shape.textures, [&](const TextureUse& use) {
-    const int rendered = scene.textures[static_cast<std::size_t>(use.texture)].rendered;
-    return use.generator == CoordGenerator::mirror_plane ||
-           (rendered >= 0 && scene.rendered_textures[static_cast<std::size_t>(rendered)].in_mirror);
-  });
+  return shape.part == ScenePart::world && std::ranges::any_of(shape.textures, [&](const TextureUse& use) {
+           const int rendered = scene.textures[static_cast<std::size_t>(use.texture)].rendered;
+           return use.generator == CoordGenerator::mirror_plane ||
+                  (rendered >= 0 && scene.rendered_textures[static_cast<std::size_t>(rendered)].in_mirror);
+         });
 }
 
 std::unique_ptr<PackedWindow> pack_mirror(const Mesh& mesh) {
