@@ -30,7 +30,9 @@ std::uint32_t draw_backdrop(const gl::Functions& gl, LoadedScene& scene, Pass& p
   std::uint32_t drawn = 0;
   gl::set_far_away(gl, true);
   for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
-    if (scene.shape(i).layer() == PackedLayer::backdrop && scene.shape(i).own_scene_of() == of)
+    const PackedShape& shape = scene.shape(i);
+    const bool is_there = of >= 0 || scene.world.shape_visible[i];  // one of a texture's own stands in no scene
+    if (shape.layer() == PackedLayer::backdrop && shape.own_scene_of() == of && is_there)
       drawn += draw_shape(gl, scene, around, i, messages) ? 1 : 0;
   }
   gl::set_far_away(gl, false);

@@ -141,9 +141,10 @@ View projecting_view(const PackedBinding& binding, const UniformInputs& inputs) 
   return view_from(projector, inputs.slots, inputs.world, aspect);
 }
 
-/// Where what the picture's viewer sees in the shape lies in a picture that just covers it.
+/// Where what the picture's viewer sees in the shape lies in a picture that just covers it; without a mirror, where the shape
+/// lies in the picture itself.
 glm::dmat4 mirror_projector(const UniformInputs& inputs) {
-  if (inputs.mirror == nullptr) return glm::dmat4(1.0);
+  if (inputs.mirror == nullptr) return world_to_texture(inputs.view);
   const View& viewer = inputs.wearer == nullptr ? inputs.view : *inputs.wearer;
   const auto seen = view_in_mirror(place_mirror(*inputs.mirror, inputs.object_to_world), viewer, 0, Box());
   return seen ? world_to_texture(*seen) : glm::dmat4(1.0);

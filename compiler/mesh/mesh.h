@@ -34,7 +34,7 @@ struct Mesh {
   std::vector<std::vector<glm::vec4>> tex_coords;  ///< Per unit (s, t, r, q), as many as the node has or at least one default.
   std::vector<glm::vec4> colors;                   ///< Linear RGBA; empty without a Color node.
   bool colors_have_alpha = false;
-  std::vector<glm::vec4> tangents;  ///< For normal maps (tangents.h); empty where none was asked for.
+  std::vector<glm::vec4> tangents;  ///< For normal maps (tangents.h): written ones, or what was asked for; else empty.
   std::vector<float> fog_coords;    ///< Depth in the fog; empty without a FogCoordinate node.
   std::vector<MeshAttribute> attributes;
   std::vector<std::uint32_t> indices;        ///< Counter-clockwise triangles seen from the front.

@@ -102,13 +102,29 @@ std::uint32_t units_read(const SceneParts& parts, const ShapePlan& plan) {
   return units;
 }
 
+bool is_of_mirror(const Scene& scene, int texture) {
+  if (texture < 0) return false;
+  const int rendered = scene.textures[static_cast<std::size_t>(texture)].rendered;
+  return rendered >= 0 && scene.rendered_textures[static_cast<std::size_t>(rendered)].in_mirror;
+}
+
+bool has_field_of_mirror(const Scene& scene, const SceneEffect& effect) {
+  return std::ranges::any_of(effect.fields, [&](const ShaderField& field) {
+    return std::ranges::any_of(field.textures, [&](int texture) { return is_of_mirror(scene, texture); });
+  });
+}
+
 /// Whether something on the shape takes it for a flat mirror.
 bool is_mirror(const Scene& scene, const SceneShape& shape) {
-  return std::ranges::any_of(shape.textures, [&](const TextureUse& use) {
-    const int rendered = scene.textures[static_cast<std::size_t>(use.texture)].rendered;
-    return use.generator == CoordGenerator::mirror_plane ||
-           (rendered >= 0 && scene.rendered_textures[static_cast<std::size_t>(rendered)].in_mirror);
-  });
+  if (shape.part != ScenePart::world) return false;
+  const auto by_texture = [&](const TextureUse& use) {
+    return use.generator == CoordGenerator::mirror_plane || is_of_mirror(scene, use.texture);
+  };
+  const auto by_effect = [&](int effect) {
+    return has_field_of_mirror(scene, scene.effects[static_cast<std::size_t>(effect)]);
+  };
+  return std::ranges::any_of(shape.textures, by_texture) || std::ranges::any_of(shape.effects, by_effect) ||
+         (shape.shader >= 0 && has_field_of_mirror(scene, scene.shaders[static_cast<std::size_t>(shape.shader)]));
 }
 
 std::unique_ptr<PackedWindow> pack_mirror(const Mesh& mesh) {

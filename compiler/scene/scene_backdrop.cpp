@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -94,6 +95,48 @@ void read_side_shaders(SceneContext& context, SceneShape& shape) {
   shape.shader = usable_shader(context, shape.node);
 }
 
+/// Of an ImageBackground: where on its picture a place of the whole picture is, from the corners' texture coordinates (from the
+/// lower left one on, counter-clockwise).
+int picture_transform(SceneContext& context, NodeId background) {
+  constexpr std::array<double, 8> kWhole = {0, 0, 1, 0, 1, 1, 0, 1};
+  const std::span<const double> written = context.graph.field(background, "texCoords").numbers;
+  const std::span<const double> at = written.size() == kWhole.size() ? written : std::span<const double>(kWhole);
+  SceneTextureTransform transform;
+  transform.matrix = context.slots.constant(SlotType::mat4, {at[2] - at[0], at[3] - at[1], 0, 0,  //
+                                                             at[6] - at[0], at[7] - at[1], 0, 0,  //
+                                                             0, 0, 1, 0,                          //
+                                                             at[0], at[1], 0, 1});
+  context.scene.texture_transforms.push_back(transform);
+  return static_cast<int>(context.scene.texture_transforms.size() - 1);
+}
+
+int picture_material(SceneContext& context, NodeId background) {
+  const auto color = context.graph.field(background, "color").numbers;
+  SceneMaterial material;
+  material.emissive = context.slots.slot(background, "color");
+  material.transparency = context.slots.constant(SlotType::float_, {color.size() > 3 ? 1 - color[3] : 0});
+  context.scene.materials.push_back(material);
+  return static_cast<int>(context.scene.materials.size() - 1);
+}
+
+/// An ImageBackground (the engine's) lies over the whole picture, whatever the camera: on the cube around the eye, each place
+/// of which shows what of the image is where it is in the picture.
+void add_image(SceneContext& context, NodeId background) {
+  const NodeId texture = context.graph.child(background, "texture");
+  if (!texture.valid()) return;
+  const int transform = picture_transform(context, background), material = picture_material(context, background);
+  for (const Side& side : kSides) {
+    SceneShape shape = backdrop_shape(context, background, -1, side.part);
+    shape.material = material;
+    read_textures(context, texture, NodeId(), shape);
+    for (TextureUse& use : shape.textures) {
+      use.generator = CoordGenerator::mirror_plane;
+      use.transform = transform;
+    }
+    context.scene.shapes.push_back(std::move(shape));
+  }
+}
+
 }  // namespace
 
 void add_backdrop(SceneContext& context, NodeId background, int transform) {
@@ -102,6 +145,7 @@ void add_backdrop(SceneContext& context, NodeId background, int transform) {
     report_events_to_gradient(context, background);
     scene.shapes.push_back(backdrop_shape(context, background, transform, ScenePart::gradient));
   }
+  if (context.graph.is(background, "ImageBackground")) return add_image(context, background);
   for (const Side& side : kSides) {
     SceneShape shape = backdrop_shape(context, background, transform, side.part);
     read_side_textures(context, side, shape);

@@ -90,7 +90,6 @@ constexpr std::string_view kExceptions[] = {
     "InlineGeometry",  // of X3D 4.1, not drawn
     "MovieTexture",    // shows a picture as ImageTexture does
     // of the reference engine and of other viewers, not drawn
-    "ImageBackground",
     "MultiGeneratedTextureCoordinate",
     "Plane",
     "Text3D",

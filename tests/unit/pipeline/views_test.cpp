@@ -130,6 +130,29 @@ TEST(Views, OfACubeShareTheirShadowMaps) {
   EXPECT_LE(scene.statistics().shadow_passes, 2U) << "one for the cube, one for the picture";
 }
 
+/// A wall before the viewer or behind him that mirrors.
+std::string mirror_at(double z, bool turned) {
+  return "Transform { translation 0 0 " + std::to_string(z) + (turned ? " rotation 0 1 0 3.1415927" : "") +
+         " children Shape {\n"
+         "  appearance Appearance { material UnlitMaterial { emissiveColor 1 1 1 }\n"
+         "    texture RenderedTexture { update \"ALWAYS\" dimensions [ 32 32 ] viewpoint ViewpointMirror { } } }\n"
+         "  geometry IndexedFaceSet { coord Coordinate { point [ -2 -2 0, 2 -2 0, 2 2 0, -2 2 0 ] } coordIndex [ 0 1 2 3 -1 ]\n"
+         "    texCoord TextureCoordinateGenerator { mode \"MIRROR-PLANE\" } } } }\n";
+}
+
+/// The first picture of two mirrors shows what is in the one in the other in the one; from then on a frame goes a step deeper.
+TEST(Views, OfMirrorsThatShowEachOtherBeginThreeDeep) {
+  const std::string head = "#X3D V4.0 utf8\nPROFILE Full\n";
+  DrawnScene one(head + mirror_at(0, false));
+  one.draw();
+  EXPECT_EQ(one.statistics().rendered_views, 1U) << "nothing in it mirrors";
+  DrawnScene two(head + mirror_at(0, false) + mirror_at(20, true));
+  two.draw();
+  EXPECT_EQ(two.statistics().rendered_views, 6U);
+  two.draw();
+  EXPECT_EQ(two.statistics().rendered_views, 2U);
+}
+
 constexpr std::string_view kWhatIsBetween =
     "#X3D V4.0 utf8\nPROFILE Full\n"
     "OrthoViewpoint { }\n"
