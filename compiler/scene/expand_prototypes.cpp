@@ -18,12 +18,11 @@ namespace {
 /// What an instance costs beside its fields, in nodes: it has name spaces of its own.
 constexpr std::size_t kInstanceWork = 16;
 
-/// Of fields with the same name the first one counts.
+/// Of fields with the same name the first one counts, and an instance has no others.
 void index_fields(Prototype& prototype, const Document& text) {
   if (!prototype.field_index.empty()) return;
-  std::uint32_t index = 0;
   for (const InterfaceSyntax& declared : text.of(prototype.syntax->interface)) {
-    prototype.field_index.emplace(declared.name.text, index++);
+    prototype.field_index.emplace(declared.name.text, static_cast<std::uint32_t>(prototype.field_index.size()));
   }
 }
 
