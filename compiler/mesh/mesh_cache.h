@@ -19,7 +19,7 @@ struct MeshCache {
   std::unordered_multimap<std::size_t, std::shared_ptr<const Mesh>> by_content;  ///< By a hash of positions and indices.
 };
 
-/// The mesh as the cache has it; one that is new to it is added.
+/// The mesh as the cache has it; one that is new to it is added. One with vertices that events change is its own.
 std::shared_ptr<const Mesh> share_mesh(MeshCache& cache, Mesh mesh);
 
 }  // namespace plugc

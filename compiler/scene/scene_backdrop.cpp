@@ -38,6 +38,8 @@ bool has_gradient(const NodeGraph& graph, NodeId background) {
 /// made is told of with the other events.)
 void report_events_to_gradient(const SceneContext& context, NodeId background) {
   constexpr std::string_view kFields[] = {"skyColor", "skyAngle", "groundColor", "groundAngle"};
+  const auto is_led_to = [&](std::string_view field) { return !context.slots.senders(background, field).empty(); };
+  if (std::ranges::none_of(kFields, is_led_to)) return;
   for (const GraphRoute& route : context.graph.routes()) {
     if (route.to != background || std::ranges::find(kFields, route.to_field) == std::end(kFields)) continue;
     if (context.slots.find(route.to, route.to_field) && is_unmade(context.graph, {route.from, route.from_field})) continue;

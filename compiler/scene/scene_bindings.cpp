@@ -53,7 +53,7 @@ void note_bindable(SceneContext& context, NodeId node, int transform, bool may_b
   BindStack& stack = stack_of(context, *kind);
   const bool is_first = may_be_first && stack.first < 0;
   if (!is_first && !stack.changes) return;
-  const bool is_known = std::ranges::find(stack.nodes, node) != stack.nodes.end();
+  const bool is_known = !stack.known.insert(node).second;
   if (is_known && *kind != BindKind::viewpoint) return;
   if (is_first) stack.first = static_cast<int>(stack.nodes.size());
   stack.nodes.push_back(is_known ? NodeId() : node);

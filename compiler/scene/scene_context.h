@@ -24,6 +24,7 @@ struct BindStack {
   bool changes = false;                ///< Events may bind another than the first, or none.
   std::vector<NodeId> nodes;           ///< In the order of the document; without changes the first alone. Viewpoints are those
                                        ///< of the scene one by one; the second place of one is not valid.
+  std::set<NodeId> known;              ///< Those nodes.
   std::vector<int> transforms;         ///< Where they stand.
   int first = -1;                      ///< The one that is bound at the start; -1: none.
   std::uint32_t index = kSceneNoSlot;  ///< The slot of the one that is bound now, where somebody asks.

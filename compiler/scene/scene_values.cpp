@@ -48,6 +48,12 @@ bool SlotTable::may_change(NodeId node, std::string_view field) const {
   return routed_.contains({node, field}) || dynamic_.contains({node, field});
 }
 
+const std::set<SlotTable::Field>& SlotTable::senders(NodeId node, std::string_view field) const {
+  static const std::set<Field> none;
+  const auto found = routed_.find({node, field});
+  return found == routed_.end() ? none : found->second;
+}
+
 std::uint32_t SlotTable::add(NodeId node, std::string_view field, const FieldValue& value) {
   const auto key = std::make_pair(node, field);
   if (const auto found = known_.find(key); found != known_.end()) return found->second;

@@ -38,6 +38,8 @@ class SlotTable {
 
   /// Whether a ROUTE or the host may change the field.
   bool may_change(NodeId node, std::string_view field) const;
+  /// The fields that ROUTEs lead here from.
+  const std::set<std::pair<NodeId, std::string_view>>& senders(NodeId node, std::string_view field) const;
   /// The slot that the field has already.
   std::optional<std::uint32_t> find(NodeId node, std::string_view field) const;
   /// The fields with a slot that a ROUTE leads to.

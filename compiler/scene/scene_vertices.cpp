@@ -35,12 +35,12 @@ bool has_lists(const NodeGraph& graph, NodeId geometry) {
 }
 
 /// An interpolator's first key, where it alone decides of a list that nobody wrote.
-std::span<const double> first_key_sent(const NodeGraph& graph, NodeId node, std::string_view field) {
-  for (const GraphRoute& route : graph.routes()) {
-    const bool leads_here = route.to == node && route.to_field == field;
-    if (!leads_here || route.from_field != "value_changed" || !graph.is(route.from, "X3DInterpolatorNode")) continue;
-    const std::span<const double> values = graph.field(route.from, "keyValue").numbers;
-    const std::size_t keys = graph.field(route.from, "key").numbers.size();
+std::span<const double> first_key_sent(const SceneContext& context, NodeId node, std::string_view field) {
+  const NodeGraph& graph = context.graph;
+  for (const auto& [sender, output] : context.slots.senders(node, field)) {
+    if (output != "value_changed" || !graph.is(sender, "X3DInterpolatorNode")) continue;
+    const std::span<const double> values = graph.field(sender, "keyValue").numbers;
+    const std::size_t keys = graph.field(sender, "key").numbers.size();
     return keys == 0 ? std::span<const double>() : values.first(values.size() / keys);
   }
   return {};
@@ -53,7 +53,7 @@ void read_list(SceneContext& context, NodeId node, std::string_view field) {
   const auto known = std::ranges::lower_bound(fields, node, {}, &VertexField::node);
   if (known != fields.end() && known->node == node) return;  // a node has one list
   std::span<const double> start = graph.field(node, field).numbers;
-  if (start.empty()) start = first_key_sent(graph, node, field);
+  if (start.empty()) start = first_key_sent(context, node, field);
   const std::uint32_t slot = context.slots.slot_of_values(node, field, start);
   if (slot != kSceneNoSlot) fields.insert(known, {node, field, slot, start});
 }
