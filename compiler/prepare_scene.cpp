@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "base/limits.h"
 #include "compose/check_fields.h"
 #include "image/load_images.h"
 #include "mesh/live_vertices.h"
@@ -23,7 +24,10 @@ namespace {
 
 std::vector<UnitCoords> unit_coords(const SceneShape& shape) {
   std::vector<UnitCoords> units;
-  for (const TextureUse& use : shape.textures) units.push_back({use.coord, use.coord == VertexCoord::own ? use.unit : 0});
+  for (const TextureUse& use : shape.textures) {
+    if (units.size() == kMaxTexCoordSets) break;  // no program reads coordinates of so many textures
+    units.push_back({use.coord, use.coord == VertexCoord::own ? use.unit : 0});
+  }
   return are_plain(units) ? std::vector<UnitCoords>() : units;
 }
 
@@ -31,16 +35,17 @@ void prepare_meshes(const NodeGraph& graph, SceneParts& parts, MeshCache& made, 
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     if (parts.scene.shapes[i].part != ScenePart::world) continue;
     const NodeId geometry = parts.scene.shapes[i].geometry;
+    const auto shared = [&](Mesh mesh) { return share_mesh(made, std::move(mesh), graph[geometry].type_span, diagnostics); };
     const auto [plain, added] = made.by_node.try_emplace({geometry, {}});
     if (added) {
       if (auto mesh = make_mesh(graph, geometry, diagnostics, parts.scene.vertex_fields))
-        plain->second = share_mesh(made, std::move(*mesh));
+        plain->second = shared(std::move(*mesh));
     }
     parts.shapes[i].mesh = plain->second;
     const std::vector<UnitCoords> units = unit_coords(parts.scene.shapes[i]);
     if (plain->second == nullptr || units.empty()) continue;
     const auto [found, is_new] = made.by_node.try_emplace({geometry, units});
-    if (is_new) found->second = share_mesh(made, with_unit_coords(*plain->second, units));
+    if (is_new) found->second = shared(with_unit_coords(*plain->second, units));
     parts.shapes[i].mesh = found->second;
   }
 }

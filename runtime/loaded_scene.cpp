@@ -27,6 +27,7 @@ void upload(LoadedScene& scene, Messages& messages) {
 }  // namespace
 
 LoadedScene load_scene(const gl::Functions& functions, const Package& package, const PackedScene& packed, Messages& messages) {
+  BindingReaders readers = find_binding_readers(packed);
   LoadedScene scene{&package,
                     &packed,
                     Slots(packed),
@@ -34,10 +35,10 @@ LoadedScene load_scene(const gl::Functions& functions, const Package& package, c
                     0,
                     ProgramPool(functions, package),
                     ResourcePool(functions, package),
-                    make_shadow_maps(functions, packed, messages)};
+                    make_shadow_maps(functions, packed, std::move(readers.of_map), messages)};
   scene.events = make_event_graph(packed);
   scene.live_meshes = make_live_meshes(package, packed);
-  scene.rendered_textures = make_rendered_textures(functions, packed, messages);
+  scene.rendered_textures = make_rendered_textures(functions, packed, readers, messages);
   upload(scene, messages);
   return scene;
 }

@@ -8,31 +8,6 @@
 namespace plugc {
 namespace {
 
-bool reads(const flatbuffers::Vector<const PackedBinding*>& bindings, std::uint32_t texture) {
-  return std::any_of(bindings.begin(), bindings.end(), [texture](const PackedBinding* binding) {
-    return binding->source() == PackedSource::rendered_texture && binding->a() == texture;
-  });
-}
-
-/// Shapes some program of which reads it, in any of their states.
-std::vector<std::uint32_t> find_readers(const PackedScene& scene, std::uint32_t texture) {
-  std::vector<std::uint32_t> readers;
-  for (std::uint32_t i = 0; i < scene.shapes()->size(); ++i) {
-    const PackedShape& shape = *scene.shapes()->Get(i);
-    bool found = reads(*shape.bindings(), texture);
-    for (const PackedVariant* variant : *shape.variants()) found = found || reads(*variant->bindings(), texture);
-    if (found) readers.push_back(i);
-  }
-  return readers;
-}
-
-bool screen_effect_reads(const PackedScene& scene, std::uint32_t texture) {
-  const auto* effects = scene.screen_effects();
-  return effects != nullptr && std::any_of(effects->begin(), effects->end(), [texture](const PackedScreenEffect* effect) {
-           return reads(*effect->bindings(), texture);
-         });
-}
-
 GLsizei usable_side(std::uint32_t wanted, std::uint32_t largest, Messages& messages) {
   const std::uint32_t side = std::clamp(wanted, 1U, largest);
   if (side != wanted)
@@ -120,18 +95,18 @@ bool may_show_itself(const PackedScene& scene, std::uint32_t index, const std::v
 }  // namespace
 
 std::vector<RenderedTexture> make_rendered_textures(const gl::Functions& functions, const PackedScene& scene,
-                                                    Messages& messages) {
+                                                    const BindingReaders& readers_of, Messages& messages) {
   std::vector<RenderedTexture> all;
   std::uint64_t texels_left = kMaxRenderedTexels;
   const std::uint32_t count = scene.rendered_textures() == nullptr ? 0 : scene.rendered_textures()->size();
   for (std::uint32_t i = 0; i < count; ++i) {
     const PackedRenderedTexture& packed = *scene.rendered_textures()->Get(i);
-    std::vector<std::uint32_t> readers = find_readers(scene, i);
-    const bool read_by_screen = screen_effect_reads(scene, i);
+    const std::vector<std::uint32_t>& readers = readers_of.of_texture[i];
+    const bool read_by_screen = readers_of.on_screen[i];
     const bool of_use = (!readers.empty() || read_by_screen) && packed.update() != PackedShadowUpdate::none;
     all.push_back(of_use ? make_rendered_texture(functions, packed, may_show_itself(scene, i, readers), texels_left, messages)
                          : RenderedTexture());
-    all.back().readers = std::move(readers);
+    all.back().readers = readers;
     all.back().read_by_screen = read_by_screen;
   }
   return all;

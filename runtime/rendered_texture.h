@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "package/package_file.h"
+#include "runtime/binding_readers.h"
 #include "runtime/gl/target.h"
 #include "runtime/gl/texture.h"
 #include "runtime/messages.h"
@@ -34,6 +35,6 @@ struct RenderedTexture {
 
 /// One per PackedRenderedTexture. Sizes beyond what can be made are reported.
 std::vector<RenderedTexture> make_rendered_textures(const gl::Functions& functions, const PackedScene& scene,
-                                                    Messages& messages);
+                                                    const BindingReaders& readers_of, Messages& messages);
 
 }  // namespace plugc

@@ -4,8 +4,23 @@
 
 namespace plugc {
 
-ResourcePool::ResourcePool(const gl::Functions& functions, const Package& package)
-    : gl_(&functions), package_(&package), meshes_(package.meshes()->size()) {}
+namespace {
+
+/// Whether the driver takes it, as the target has it: a picture is the first slice of a volume.
+bool has_place(const PackedImage& image, GLenum target, std::uint32_t largest) {
+  return image.width() <= largest && image.height() <= largest && (target != GL_TEXTURE_3D || image.depth() <= largest);
+}
+
+/// On the GPU, with its smaller copies.
+std::uint64_t bytes_of(const PackedImage& image) {
+  constexpr std::uint64_t kTexel = 4;
+  return kTexel * image.width() * image.height() * image.depth() * 4 / 3;
+}
+
+}  // namespace
+
+ResourcePool::ResourcePool(const gl::Functions& functions, const Package& package, std::uint64_t texture_bytes)
+    : gl_(&functions), package_(&package), meshes_(package.meshes()->size()), texture_bytes_left_(texture_bytes) {}
 
 const gl::Mesh& ResourcePool::mesh(std::uint32_t index) {
   std::optional<gl::Mesh>& slot = meshes_[index];
@@ -34,13 +49,30 @@ const gl::VertexArray* ResourcePool::custom_attributes(std::uint32_t index, std:
 const gl::Texture& ResourcePool::texture(std::uint32_t index, PackedUniformType sampler, Messages& messages) {
   gl::Texture& texture = textures_[{index, gl::texture_target(sampler)}];
   if (texture) return texture;
-  const PackedTexture& packed = *package_->textures()->Get(index);
-  texture = gl::upload_texture(*gl_, packed, *package_->images()->Get(packed.image()), sampler);
-  if (!texture) {
-    messages.add("texture " + std::to_string(index) + " does not fit the sampler that reads it: it is white");
-    texture = gl::make_white_texture(*gl_, gl::texture_target(sampler));
-  }
+  texture = upload(index, sampler, messages);
+  if (!texture) texture = gl::make_white_texture(*gl_, gl::texture_target(sampler));
   return texture;
+}
+
+gl::Texture ResourcePool::upload(std::uint32_t index, PackedUniformType sampler, Messages& messages) {
+  const PackedTexture& packed = *package_->textures()->Get(index);
+  const PackedImage& image = *package_->images()->Get(packed.image());
+  const GLenum target = gl::texture_target(sampler);
+  const GLsizei largest = gl::max_texture_side(*gl_, target);
+  gl::Texture made;
+  if (!has_place(image, target, static_cast<std::uint32_t>(largest))) {
+    messages.add("texture " + std::to_string(index) + " has more texels along a side than the driver's " +
+                 std::to_string(largest) + ": it is white");
+  } else if (bytes_of(image) > texture_bytes_left_) {
+    messages.add("the scene's textures need more memory than they get: the last are white");
+  } else {
+    made = gl::upload_texture(*gl_, packed, image, sampler);
+    if (made)
+      texture_bytes_left_ -= bytes_of(image);
+    else
+      messages.add("texture " + std::to_string(index) + " does not fit the sampler that reads it: it is white");
+  }
+  return made;
 }
 
 const gl::Texture& ResourcePool::stand_in(PackedUniformType sampler, bool reversed) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/limits.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/texture.h"
 #include "runtime/live_meshes.h"
@@ -16,7 +17,7 @@ namespace plugc {
 class ResourcePool {
  public:
   ResourcePool() = default;
-  ResourcePool(const gl::Functions& functions, const Package& package);
+  ResourcePool(const gl::Functions& functions, const Package& package, std::uint64_t texture_bytes = kMaxTextureBytes);
 
   const gl::Mesh& mesh(std::uint32_t index);
   /// Brings the mesh's vertices up to date.
@@ -24,7 +25,8 @@ class ResourcePool {
   /// The mesh as that program reads it, where it reads attributes that only the mesh knows by name; else null: the mesh's own
   /// will do.
   const gl::VertexArray* custom_attributes(std::uint32_t mesh, std::uint32_t program);
-  /// The texture as that sampler type reads it; white where the picture does not fit, which is reported.
+  /// The texture as that sampler type reads it; white where the picture does not fit the sampler, the driver or the memory,
+  /// which is reported.
   const gl::Texture& texture(std::uint32_t index, PackedUniformType sampler, Messages& messages);
   /// What a sampler reads that nothing feeds: white, or lit for one that compares. `reversed`: in place of such a map, with
   /// whose format a program keeps the driver's code for it.
@@ -36,11 +38,14 @@ class ResourcePool {
   const gl::Sampler& greater_sampler();
 
  private:
+  gl::Texture upload(std::uint32_t texture, PackedUniformType sampler, Messages& messages);
+
   const gl::Functions* gl_ = nullptr;
   const Package* package_ = nullptr;
   std::vector<std::optional<gl::Mesh>> meshes_;
   std::map<std::uint32_t, std::uint32_t> live_versions_;  ///< By mesh: LiveMesh::version of what was uploaded.
   std::map<std::pair<std::uint32_t, std::uint32_t>, gl::VertexArray> custom_attributes_;  ///< By mesh and program.
+  std::uint64_t texture_bytes_left_ = 0;
   std::map<std::pair<std::uint32_t, GLenum>, gl::Texture> textures_;  ///< One picture can be read as 2D and as 3D.
   std::map<std::pair<PackedUniformType, bool>, gl::Texture> stand_ins_;
   gl::Sampler depth_picture_sampler_, depth_texel_sampler_, greater_sampler_;

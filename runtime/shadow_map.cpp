@@ -28,12 +28,8 @@ bool receives(const PackedShape& shape, std::uint32_t map) {
 }
 
 bool reads(const flatbuffers::Vector<const PackedBinding*>& bindings, std::uint32_t map) {
-  return std::any_of(bindings.begin(), bindings.end(), [map](const PackedBinding* binding) {
-    const bool of_map =
-        binding->source() == PackedSource::shadow_map || binding->source() == PackedSource::shadow_map_greater ||
-        binding->source() == PackedSource::shadow_moments || binding->source() == PackedSource::projector_matrix;
-    return of_map && binding->a() == map;
-  });
+  return std::any_of(bindings.begin(), bindings.end(),
+                     [map](const PackedBinding* binding) { return reads_map(*binding) && binding->a() == map; });
 }
 
 /// The shape's programs look into the map, or its light projects their texture coordinates.
@@ -47,19 +43,6 @@ bool is_seen_from(const PackedShape& shape, std::uint32_t map, std::uint8_t vari
   return receives(shape, map) || reads(shape, map, variant);
 }
 
-std::vector<MapReader> find_readers(const PackedScene& scene, std::uint32_t map) {
-  std::vector<MapReader> readers;
-  const std::uint32_t shape_count = scene.shapes()->size();
-  for (std::uint32_t i = 0; i < shape_count; ++i) {
-    const PackedShape& shape = *scene.shapes()->Get(i);
-    for (std::uint32_t variant = 0; variant <= shape.variants()->size(); ++variant) {
-      const auto number = static_cast<std::uint8_t>(variant);
-      if (reads(shape, map, number)) readers.push_back({i, number});
-    }
-  }
-  return readers;
-}
-
 void add_moments(const gl::Functions& functions, PackedShadowMethod method, ShadowMap& map) {
   const bool two = method == PackedShadowMethod::vsm;
   map.unblurred = gl::make_float_texture(functions, map.size, two);
@@ -68,38 +51,69 @@ void add_moments(const gl::Functions& functions, PackedShadowMethod method, Shad
   map.moments_target = gl::make_float_target(functions, map.moments);
 }
 
+void make_cube(const gl::Functions& functions, GLint filter, ShadowMap& map) {
+  map.texture = gl::make_depth_texture(functions, GL_TEXTURE_CUBE_MAP, map.size, false, filter);
+  for (GLenum face = 0; face < kCubeFaceCount; ++face)
+    map.faces.push_back(gl::make_depth_target(functions, map.texture, GL_TEXTURE_CUBE_MAP_POSITIVE_X + face));
+}
+
+void make_flat(const gl::Functions& functions, const PackedShadowMap& packed, GLint filter, ShadowMap& map) {
+  map.reversed = !packed.author_visible() && functions.ClipControl != nullptr;
+  map.texture = gl::make_depth_texture(functions, GL_TEXTURE_2D, map.size, map.reversed, filter);
+  map.framebuffer = gl::make_depth_target(functions, map.texture);
+  if (keeps_moments(packed.method())) add_moments(functions, packed.method(), map);
+}
+
+/// Of its depths, and of its moments, which are kept twice.
+std::uint64_t bytes_of(const PackedShadowMap& packed, bool cube, GLsizei size) {
+  constexpr std::uint64_t kDepth = 4, kTwoMoments = 8, kFourMoments = 16;
+  const std::uint64_t texels = static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(size);
+  if (cube) return texels * kDepth * kCubeFaceCount;
+  const std::uint64_t moments = packed.method() == PackedShadowMethod::vsm ? kTwoMoments : kFourMoments;
+  return texels * (kDepth + (keeps_moments(packed.method()) ? 2 * moments : 0));
+}
+
+bool is_complete(const gl::Functions& gl, const ShadowMap& map) {
+  const auto drawn = [&gl](const gl::Framebuffer& target) { return !target || gl::is_complete(gl, target); };
+  return drawn(map.framebuffer) && drawn(map.unblurred_target) && drawn(map.moments_target) &&
+         std::ranges::all_of(map.faces, drawn);
+}
+
+/// Takes its bytes from those that are left.
 ShadowMap make_shadow_map(const gl::Functions& functions, const PackedScene& scene, const PackedShadowMap& packed,
-                          std::uint32_t size, Messages& messages) {
+                          std::uint32_t size, std::uint64_t& bytes_left, Messages& messages) {
   ShadowMap map;
   if (packed.update() == PackedShadowUpdate::none || packed.method() == PackedShadowMethod::traced) return map;
   const bool cube = is_cube(scene, packed);
   const GLint filter = packed.method() == PackedShadowMethod::hard ? GL_NEAREST : GL_LINEAR;
   const GLsizei largest = cube ? std::min(gl::max_cube_map_side(functions), kMaxCubeMapSide) : gl::max_target_side(functions);
   map.size = usable_size(size, largest, messages);
-  if (cube) {
-    map.texture = gl::make_depth_texture(functions, GL_TEXTURE_CUBE_MAP, map.size, false, filter);
-    for (GLenum face = 0; face < kCubeFaceCount; ++face)
-      map.faces.push_back(gl::make_depth_target(functions, map.texture, GL_TEXTURE_CUBE_MAP_POSITIVE_X + face));
-    return map;
+  const std::uint64_t bytes = bytes_of(packed, cube, map.size);
+  if (bytes > bytes_left) {
+    messages.add("the scene's shadow maps need more memory than they get: the shadows of the last are missing");
+    return {};
   }
-  map.reversed = !packed.author_visible() && functions.ClipControl != nullptr;
-  map.texture = gl::make_depth_texture(functions, GL_TEXTURE_2D, map.size, map.reversed, filter);
-  map.framebuffer = gl::make_depth_target(functions, map.texture);
-  if (keeps_moments(packed.method())) add_moments(functions, packed.method(), map);
-  return map;
+  bytes_left -= bytes;
+  cube ? make_cube(functions, filter, map) : make_flat(functions, packed, filter, map);
+  if (is_complete(functions, map)) return map;
+  messages.add("the driver cannot draw a shadow map of " + std::to_string(map.size) +
+               " texels a side: its shadows are missing");
+  return {};
 }
 
 }  // namespace
 
-std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages) {
+std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene,
+                                        std::vector<std::vector<MapReader>> readers, Messages& messages,
+                                        std::uint64_t bytes_left) {
   std::vector<ShadowMap> maps;
-  const std::uint32_t count = scene.shadow_maps()->size();
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::uint32_t i = 0; i < readers.size(); ++i) {
     const PackedShadowMap& packed = *scene.shadow_maps()->Get(i);
-    std::vector<MapReader> readers = find_readers(scene, i);
-    maps.push_back(readers.empty() ? ShadowMap() : make_shadow_map(functions, scene, packed, packed.size(), messages));
-    maps.back().readers = std::move(readers);
-    maps.back().only_projects = packed.update() == PackedShadowUpdate::none && !maps.back().readers.empty();
+    const bool of_use = !readers[i].empty();
+    ShadowMap& map = maps.emplace_back();
+    if (of_use) map = make_shadow_map(functions, scene, packed, packed.size(), bytes_left, messages);
+    map.readers = std::move(readers[i]);
+    map.only_projects = of_use && !map.texture && packed.method() != PackedShadowMethod::traced;
   }
   return maps;
 }
@@ -125,7 +139,8 @@ void resize_shadow_map(const gl::Functions& functions, const PackedScene& scene,
   const PackedShadowMap& packed = *scene.shadow_maps()->Get(index);
   std::vector<MapReader> readers = std::move(map.readers);
   map = ShadowMap();  // the old one's memory goes first
-  if (!readers.empty()) map = make_shadow_map(functions, scene, packed, size, messages);
+  std::uint64_t bytes_left = kMaxShadowMapBytes;
+  if (!readers.empty()) map = make_shadow_map(functions, scene, packed, size, bytes_left, messages);
   map.readers = std::move(readers);
 }
 

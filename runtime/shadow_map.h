@@ -4,18 +4,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/limits.h"
+#include "runtime/binding_readers.h"
 #include "runtime/gl/target.h"
 #include "runtime/gl/texture.h"
 #include "runtime/messages.h"
 #include "runtime/tight_fit.h"
 
 namespace plugc {
-
-/// A shape in one of its variants.
-struct MapReader {
-  std::uint32_t shape = 0;
-  std::uint8_t variant = 0;
-};
 
 struct ShadowMap {
   gl::Texture texture;  ///< None when the map is never drawn: whoever reads it is lit. Traced: see traced_shadows.h.
@@ -45,8 +41,11 @@ bool is_looked_into(const ShadowMap& map, const World& world);
 /// The view with the map moved by its `shift`.
 View shifted(const View& view, const ShadowMap& map);
 
-/// One per PackedShadowMap. Sizes beyond what can be made, and lights that cannot have a map yet, are reported.
-std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene, Messages& messages);
+/// One per PackedShadowMap; no texture for one that the driver or `bytes_left`, of all maps, has no place for: it is reported,
+/// as are sizes beyond what can be made. `readers`: as find_binding_readers() gives them, by map.
+std::vector<ShadowMap> make_shadow_maps(const gl::Functions& functions, const PackedScene& scene,
+                                        std::vector<std::vector<MapReader>> readers, Messages& messages,
+                                        std::uint64_t bytes_left = kMaxShadowMapBytes);
 
 /// Whether the map is a cube: that of a point light.
 bool is_cube(const PackedScene& scene, const PackedShadowMap& map);

@@ -88,14 +88,19 @@ Numbers light_numbers(const PackedBinding& binding, const UniformInputs& inputs)
   }
 }
 
+/// What a uniform takes.
+struct Wanted {
+  std::size_t size = 0, count = 0;  ///< Numbers of an element, elements.
+};
+
 /// Element by element: a slot of vec3 elements fills an array of vec3, whatever either side's count.
-Numbers slot_numbers(std::uint32_t slot, double scale, std::size_t wanted_size, const Slots& slots) {
+Numbers slot_numbers(std::uint32_t slot, double scale, const Wanted& wanted, const Slots& slots) {
   const std::span<const double> values = slots.values(slot);
   const std::size_t size = slots.element_size(slot);
   Numbers result;
   if (size == 0) return result;
-  for (std::size_t first = 0; first + size <= values.size(); first += size) {
-    for (std::size_t i = 0; i < wanted_size; ++i) result.push_back(i < size ? values[first + i] * scale : 0.0);
+  for (std::size_t first = 0; first + size <= values.size() && first / size < wanted.count; first += size) {
+    for (std::size_t i = 0; i < wanted.size; ++i) result.push_back(i < size ? values[first + i] * scale : 0.0);
   }
   return result;
 }
@@ -192,14 +197,14 @@ glm::dvec4 eye_clip_plane(const PackedClipPlane& plane, const UniformInputs& inp
   return inputs.slots.vector4(plane.plane(), nothing_cut) * glm::inverse(to_eye);
 }
 
-Numbers source_numbers(const PackedBinding& binding, std::size_t wanted_size, const UniformInputs& inputs) {
+Numbers source_numbers(const PackedBinding& binding, const Wanted& wanted, const UniformInputs& inputs) {
   switch (binding.source()) {
-    case PackedSource::slot: return slot_numbers(binding.a(), 1.0, wanted_size, inputs.slots);
+    case PackedSource::slot: return slot_numbers(binding.a(), 1.0, wanted, inputs.slots);
     case PackedSource::shadow_intensity: return {shadow_intensity(binding.a(), inputs.slots)};
     case PackedSource::slot_scaled:
-      return slot_numbers(binding.a(), static_cast<double>(binding.scale()), wanted_size, inputs.slots);
+      return slot_numbers(binding.a(), static_cast<double>(binding.scale()), wanted, inputs.slots);
     case PackedSource::slot_product:
-      return slot_numbers(binding.a(), inputs.slots.number(binding.b(), 1), wanted_size, inputs.slots);
+      return slot_numbers(binding.a(), inputs.slots.number(binding.b(), 1), wanted, inputs.slots);
     case PackedSource::color_and_transparency:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
     case PackedSource::depth_pass_range: return numbers(inputs.depth_range);
@@ -257,7 +262,7 @@ std::vector<float> evaluate(const PackedBinding& binding, PackedUniformType type
                             const UniformInputs& inputs) {
   if (gl::is_sampler(type)) return {};
   const std::size_t size = component_count(type);
-  Numbers values = source_numbers(binding, size, inputs);
+  Numbers values = source_numbers(binding, {size, count}, inputs);
   if (type == PackedUniformType::mat3 && values.size() == 16) values = upper_left(values);
   std::vector<float> result(size * count, 0.0F);
   for (std::size_t i = 0; i < std::min(values.size(), result.size()); ++i) result[i] = finite_float(values[i]);

@@ -2,6 +2,7 @@
 
 #include "base/clean_text.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -72,6 +73,19 @@ std::size_t character_length(std::string_view text, std::size_t at) {
   if (first == 0xF4) return fourth && is_continuation(second, 0x80, 0x8F) ? 4 : 0;
   if (first >= 0xF1 && first <= 0xF3) return fourth && is_continuation(second) ? 4 : 0;
   return 0;
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const unsigned byte = byte_at(text, at);
+    const bool second_row = byte == 0xC2 && byte_at(text, at + 1) < 0xA0;  // U+0080 to U+009F
+    const bool shown = length != 0 && byte >= 0x20 && byte != 0x7F && !second_row;
+    for (const std::size_t end = at + std::max<std::size_t>(length, 1); at < end; ++at)
+      result += shown ? std::string(1, text[at]) : fmt::format("\\x{:02x}", byte_at(text, at));
+  }
+  return result;
 }
 
 SourceId add_clean_text(SourceSet& sources, std::string name, std::string text, Diagnostics& diagnostics) {

@@ -13,6 +13,10 @@ namespace plugc {
 /// with its byte order mark, gzip, binary glTF) stays as it is.
 SourceId add_clean_text(SourceSet& sources, std::string name, std::string text, Diagnostics& diagnostics);
 
+/// Text of a stranger's for a terminal or a line: control characters, which a terminal may obey, and bytes of no character are
+/// written as \xNN.
+std::string printable(std::string_view text);
+
 /// The length of the character that begins at `at`, or 0 when no valid one does.
 std::size_t character_length(std::string_view text, std::size_t at);
 

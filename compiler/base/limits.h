@@ -24,10 +24,18 @@ inline constexpr std::uint32_t kMaxShapeInstances = 200'000;          ///< Shape
 inline constexpr std::size_t kMaxShaderTokens = 200'000;              ///< Tokens of one shader part.
 inline constexpr std::size_t kMaxStageBytes = std::size_t{4} << 20;   ///< Text of one composed stage.
 inline constexpr std::uint32_t kMaxExpressionNesting = 200;           ///< Brackets inside brackets in one shader.
-inline constexpr std::uint32_t kMaxImageSide = 16'384;                ///< Pixels along one side of an image.
-inline constexpr std::size_t kMaxJoinedTexels = 1 << 27;              ///< Of a volume or cube map made of pictures.
-inline constexpr std::size_t kMaxMeshVertices = 50'000'000;           ///< Vertices of one mesh.
+inline constexpr std::uint32_t kMaxUniformElements = 4'096;   ///< Of one array; OpenGL promises a stage 1024 numbers in all.
+inline constexpr std::uint32_t kMaxImageSide = 16'384;        ///< Pixels along one side of an image.
+inline constexpr std::size_t kMaxJoinedTexels = 1 << 27;      ///< Of a volume or cube map made of pictures.
+inline constexpr std::size_t kMaxMeshVertices = 50'000'000;   ///< Vertices, and corners of faces, of one mesh.
+inline constexpr std::size_t kMaxSceneVertices = 64'000'000;  ///< Vertices of all different meshes of a scene.
+inline constexpr std::size_t kMaxTexCoordSets = 32;           ///< Of one geometry; programs read the first 8 of a shape.
+inline constexpr std::size_t kMaxAttributeColumns = 11;  ///< Of authors' vertex attributes: all that OpenGL's 16 places leave.
+inline constexpr std::uint64_t kMaxPolygonWork = 1'000'000'000;  ///< Corners times reflex corners, summed over a mesh's faces.
 inline constexpr std::uint32_t kMaxMomentMapSide = 4'096;  ///< The same of one that holds moments: 16 bytes a texel, twice.
 inline constexpr std::uint32_t kMaxShadowMapSide = 8'192;  ///< Texels along one side of a shadow map.
+
+inline constexpr std::uint64_t kMaxShadowMapBytes = std::uint64_t{2} << 30U;  ///< All shadow maps of a scene together.
+inline constexpr std::uint64_t kMaxTextureBytes = std::uint64_t{4} << 30U;    ///< All its textures: many may show one image.
 
 }  // namespace plugc

@@ -50,18 +50,30 @@ bool is_zero(const glm::dvec3& v) {
   return v == glm::dvec3(0);
 }
 
-/// The spine's points before and behind point i that lie elsewhere; the point itself where there is none. A closed spine goes
-/// around, its last point being its first.
-glm::dvec3 neighbour(const Curves& curves, std::size_t i, int step) {
-  const std::size_t count = curves.spine.size() - (curves.spine_closed ? 1 : 0);
-  const glm::dvec3& here = curves.spine[i];
-  std::size_t at = i % count;
-  for (std::size_t tried = 1; tried < count; ++tried) {
-    if (!curves.spine_closed && (step > 0 ? at + 1 == count : at == 0)) return here;
-    at = step > 0 ? (at + 1) % count : (at + count - 1) % count;
-    if (!same_place(curves.spine[at], here)) return curves.spine[at];
+/// The spine with points that coincide taken as one. A closed one ends where it begins.
+struct Path {
+  std::vector<glm::dvec3> places;
+  std::vector<std::size_t> of_points;  // the place of each point of the spine
+  bool closed = false;
+
+  const glm::dvec3& behind(std::size_t place) const {
+    if (closed) return places[(place + 1) % (places.size() - 1)];
+    return places[std::min(place + 1, places.size() - 1)];
   }
-  return here;
+  const glm::dvec3& before(std::size_t place) const {
+    if (place == 0) return places[closed ? places.size() - 2 : 0];
+    return places[place - 1];
+  }
+};
+
+Path path_of(const Curves& curves) {
+  Path path;
+  for (const glm::dvec3& point : curves.spine) {
+    if (path.places.empty() || !same_place(point, path.places.back())) path.places.push_back(point);
+    path.of_points.push_back(path.places.size() - 1);
+  }
+  path.closed = curves.spine_closed && path.places.size() > 1;
+  return path;
 }
 
 /// Of a straight spine: the plane y = 0 turned so that y runs along it, the shortest way.
@@ -73,15 +85,15 @@ glm::dmat3 straight_frame(const glm::dvec3& y) {
   return glm::dmat3(rotation_matrix({axis, angle}));
 }
 
-/// The bend's normal at each point of the spine; where the spine runs straight, or ends, that of a point before it, else behind
-/// it. None is the opposite of the one before. All zero: the spine is straight.
-std::vector<glm::dvec3> bend_normals(const Curves& curves) {
+/// The bend's normal at each place; where the spine runs straight, or ends, that of a place before it, else behind it. None is
+/// the opposite of the one before. All zero: the spine is straight.
+std::vector<glm::dvec3> bend_normals(const Path& path) {
   constexpr double kLeastBend = 1e-6;  // sine of the angle
-  std::vector<glm::dvec3> normals(curves.spine.size());
+  std::vector<glm::dvec3> normals(path.places.size());
   glm::dvec3 known(0);
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    const glm::dvec3 ahead = unit_or_zero(neighbour(curves, i, 1) - curves.spine[i]);
-    const glm::dvec3 back = unit_or_zero(neighbour(curves, i, -1) - curves.spine[i]);
+    const glm::dvec3 ahead = unit_or_zero(path.behind(i) - path.places[i]);
+    const glm::dvec3 back = unit_or_zero(path.before(i) - path.places[i]);
     const glm::dvec3 across = glm::cross(ahead, back);
     glm::dvec3 normal = glm::length(across) > kLeastBend ? glm::normalize(across) : known;
     if (glm::dot(normal, known) < 0) normal = -normal;
@@ -93,14 +105,14 @@ std::vector<glm::dvec3> bend_normals(const Curves& curves) {
   return normals;
 }
 
-/// The plane of the cross-section at each point of the spine: its axes as columns.
-std::vector<glm::dmat3> section_planes(const Curves& curves) {
-  const std::vector<glm::dvec3> normals = bend_normals(curves);
+/// The plane of the cross-section at each place: its axes as columns.
+std::vector<glm::dmat3> section_planes(const Path& path) {
+  const std::vector<glm::dvec3> normals = bend_normals(path);
   std::vector<glm::dmat3> planes;
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    const glm::dvec3 y = unit_or_zero(neighbour(curves, i, 1) - neighbour(curves, i, -1));
+    const glm::dvec3 y = unit_or_zero(path.behind(i) - path.before(i));
     if (is_zero(normals[i])) {
-      planes.push_back(straight_frame(unit_or_zero(curves.spine.back() - curves.spine.front())));
+      planes.push_back(straight_frame(unit_or_zero(path.places.back() - path.places.front())));
       continue;
     }
     const glm::dvec3 x = unit_or_zero(glm::cross(y, normals[i]));
@@ -124,12 +136,13 @@ glm::vec<N, double> entry(std::span<const double> numbers, std::size_t i, const 
 std::vector<glm::vec3> section_points(const GeometrySource& source, const Curves& curves) {
   const auto scales = source.graph.field(source.node, "scale").numbers;
   const auto orientations = source.graph.field(source.node, "orientation").numbers;
-  const std::vector<glm::dmat3> planes = section_planes(curves);
+  const Path path = path_of(curves);
+  const std::vector<glm::dmat3> planes = section_planes(path);
   std::vector<glm::vec3> points;
   points.reserve(curves.spine.size() * curves.section.size());
   for (std::size_t j = 0; j < curves.spine.size(); ++j) {
     const glm::dvec2 scale = entry<2>(scales, j, glm::dvec2(1));
-    const glm::dmat3 turned = planes[j] * glm::dmat3(rotation_matrix(entry<4>(orientations, j, {0, 0, 1, 0})));
+    const glm::dmat3 turned = planes[path.of_points[j]] * glm::dmat3(rotation_matrix(entry<4>(orientations, j, {0, 0, 1, 0})));
     for (const glm::dvec2& p : curves.section)
       points.emplace_back(curves.spine[j] + turned * glm::dvec3(p.x * scale.x, 0, p.y * scale.y));
   }
@@ -228,9 +241,11 @@ std::optional<Mesh> make_extrusion(const GeometrySource& source) {
   Curves curves = read_curves(source);
   const std::size_t rows = curves.spine.size(), columns = curves.section.size();
   if (rows < 2 || columns < 2) return Mesh{};
-  if (columns > kMaxMeshVertices / rows) {
-    source.report(DiagnosticId::geometry_limit, fmt::format("this `Extrusion` has {} x {} vertices; plugc takes at most {}",
-                                                            columns, rows, kMaxMeshVertices));
+  constexpr std::size_t kCorners = 4;  // of each face
+  if (columns > kMaxMeshVertices / kCorners / rows) {
+    source.report(DiagnosticId::geometry_limit,
+                  fmt::format("this `Extrusion` has {} x {} faces, more than {} corners; plugc takes no more", columns - 1,
+                              rows - 1, kMaxMeshVertices));
     return std::nullopt;
   }
   ExtrusionBuilder builder(source, std::move(curves));

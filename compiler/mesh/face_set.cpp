@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -104,8 +105,18 @@ class FaceTriangulator {
     }
     const auto count = static_cast<std::uint32_t>(face.size());
     const glm::dvec3 as_written = faces_.ccw ? normal : -normal;  // corners run counter-clockwise around this one
-    for (const std::uint32_t i : triangulate(project(faces_, face, as_written), {&count, 1})) indices.push_back(vertex_[i]);
-    return true;
+    const auto triangles = triangulate(project(faces_, face, as_written), {&count, 1}, &work_left_);
+    for (const std::uint32_t i : triangles) indices.push_back(vertex_[i]);
+    if (triangles.empty()) report_work();
+    return !triangles.empty();
+  }
+
+  void report_work() {
+    if (!std::exchange(reported_work_, true))
+      source_.report(DiagnosticId::geometry_limit,
+                     fmt::format("this `{}` has more concave corners than plugc cuts into triangles in bearable time; it takes "
+                                 "some faces as convex",
+                                 source_.type()));
   }
 
   const FaceSet& faces_;
@@ -113,6 +124,8 @@ class FaceTriangulator {
   const GeometrySource& source_;
   CornerTable table_;
   std::vector<std::uint32_t> vertex_;  // of the face at hand
+  std::uint64_t work_left_ = kMaxPolygonWork;
+  bool reported_work_ = false;
 };
 
 // Box texture over the coordinates that faces use; those that none uses must not stretch it.

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/limits.h"
 #include "mesh/live_vertices.h"
 #include "mesh/mesh_attribute.h"
 
@@ -103,14 +104,30 @@ std::vector<float> read_fog_coords(const GeometrySource& source, std::size_t coo
   return result;
 }
 
+namespace {
+
+/// False, and reported, for one that brings more columns than any program can read.
+bool takes_columns(const GeometrySource& source, const MeshAttribute& attribute, std::size_t& columns) {
+  columns += attribute.columns;
+  if (columns <= kMaxAttributeColumns) return true;
+  source.report(DiagnosticId::geometry_limit, "attrib",
+                fmt::format("`attrib` has more than {} columns, and no program reads more; `{}` and what follows is left out",
+                            kMaxAttributeColumns, attribute.name));
+  return false;
+}
+
+}  // namespace
+
 std::vector<MeshAttribute> read_attributes(const GeometrySource& source, std::size_t coord_count) {
   std::vector<MeshAttribute> attributes;
   if (!source.graph.has_field(source.node, "attrib")) return attributes;
+  std::size_t columns = 0;
   for (const NodeId node : source.graph.children(source.node, "attrib")) {
     if (!source.graph.is(node, "X3DVertexAttributeNode")) continue;
     MeshAttribute attribute = attribute_type(source.graph, node);
     const bool is_known = std::ranges::find(attributes, attribute.name, &MeshAttribute::name) != attributes.end();
     if (attribute.columns == 0 || attribute.name.empty() || is_known) continue;
+    if (!takes_columns(source, attribute, columns)) break;
     const std::span<const double> numbers = list_numbers(source, node, "value");
     const std::size_t size = number_count(attribute);
     attribute.values.resize(coord_count * size);
@@ -130,8 +147,15 @@ std::vector<MeshAttribute> read_attributes(const GeometrySource& source, std::si
 std::vector<std::vector<glm::vec4>> read_tex_units(const GeometrySource& source) {
   const NodeId tex_coord = source.graph.child(source.node, "texCoord");
   if (!source.graph.is(tex_coord, "MultiTextureCoordinate")) return {read_tex_unit(source, tex_coord)};
+  std::span<const NodeId> sets = source.graph.children(tex_coord, "texCoord");
+  if (sets.size() > kMaxTexCoordSets) {
+    source.report(
+        DiagnosticId::geometry_limit, "texCoord",
+        fmt::format("`texCoord` has {} sets of coordinates; plugc takes the first {}", sets.size(), kMaxTexCoordSets));
+    sets = sets.first(kMaxTexCoordSets);
+  }
   std::vector<std::vector<glm::vec4>> units;
-  for (const NodeId unit : source.graph.children(tex_coord, "texCoord")) units.push_back(read_tex_unit(source, unit));
+  for (const NodeId unit : sets) units.push_back(read_tex_unit(source, unit));
   return units;
 }
 

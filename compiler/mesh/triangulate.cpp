@@ -1,8 +1,9 @@
 // Ear clipping. The outline becomes a circular list that runs counter-clockwise. Each hole, the rightmost first, is joined to
 // it by a bridge: a ray from the hole's rightmost point to the right hits an edge, and the visible corner nearest to that hit
 // is entered twice, so that the list stays one ring. Then ears (convex corners whose triangle holds no reflex corner) are cut
-// off. Cutting one ear changes only its two neighbours, so their state alone is computed anew: O(n * reflex corners) in all,
-// and kMaxPolygonCorners bounds that. Where a full round finds no ear (the polygon crosses itself) the corner at hand is cut.
+// off. Cutting one ear changes only its two neighbours, so their state alone is computed anew: O(n * reflex corners) in all.
+// kMaxPolygonCorners bounds that for one polygon, the caller for many. Where a full round finds no ear (the polygon crosses
+// itself) the corner at hand is cut.
 
 #include "mesh/triangulate.h"
 
@@ -123,12 +124,14 @@ class EarClipper {
     for (std::size_t i = 0; i < n; ++i) reflex_[i] = is_reflex(i);
     for (std::size_t i = 0; i < n; ++i)
       if (reflex_[i]) reflex_places_.push_back(i);
-    for (std::size_t i = 0; i < n; ++i) ear_[i] = is_ear(i);
   }
+
+  std::uint64_t work() const { return std::uint64_t{ring_.size()} * reflex_places_.size(); }
 
   std::vector<std::uint32_t> clip() {
     std::vector<std::uint32_t> triangles;
     if (ring_.size() < 3) return triangles;
+    for (std::size_t i = 0; i < ring_.size(); ++i) ear_[i] = is_ear(i);
     std::size_t left = ring_.size(), at = 0, misses = 0;
     while (left > 3) {
       if (!ear_[at] && misses++ < left) {
@@ -192,9 +195,15 @@ double signed_area(std::span<const glm::dvec2> ring) {
   return sum;
 }
 
-std::vector<std::uint32_t> triangulate(std::span<const glm::dvec2> points, std::span<const std::uint32_t> ring_ends) {
+std::vector<std::uint32_t> triangulate(std::span<const glm::dvec2> points, std::span<const std::uint32_t> ring_ends,
+                                       std::uint64_t* work_left) {
   if (ring_ends.empty() || ring_ends[0] < 3 || points.size() > kMaxPolygonCorners) return {};
-  return EarClipper(points, one_ring(points, ring_ends)).clip();
+  EarClipper clipper(points, one_ring(points, ring_ends));
+  if (work_left != nullptr) {
+    if (clipper.work() > *work_left) return {};
+    *work_left -= clipper.work();
+  }
+  return clipper.clip();
 }
 
 }  // namespace plugc

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/limits.h"
 #include "mesh/live_vertices.h"
 #include "package/pack_attributes.h"
 
@@ -68,7 +69,8 @@ std::unique_ptr<PackedMeshT> pack_mesh(const Mesh& mesh, std::uint32_t units) {
   }
   if (!coords.empty()) {
     const PackedStream last = packed->streams.back();
-    for (std::size_t unit = coords.size(); unit < units; ++unit) writer.alias_stream(static_cast<std::uint8_t>(unit), last);
+    const std::size_t count = std::min<std::size_t>(units, kMaxTexCoordSets);
+    for (std::size_t unit = coords.size(); unit < count; ++unit) writer.alias_stream(static_cast<std::uint8_t>(unit), last);
   }
   const std::uint32_t color = mesh.colors.empty() ? 0 : writer.add_stream(PackedSemantic::color, 0, 4);
   const std::uint32_t tangent = mesh.tangents.empty() ? 0 : writer.add_stream(PackedSemantic::tangent, 0, 4);

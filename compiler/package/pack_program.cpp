@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/check.h"
+#include "base/limits.h"
 #include "compose/castle_names.h"
 #include "compose/check_fields.h"
 #include "compose/sampler_type.h"
@@ -304,7 +305,9 @@ void Binder::bind_uniform(std::uint32_t index, const UniformOfTargets& uniform) 
   if (uniform.fed.field != nullptr) return bind_field(index, uniform.variable, *uniform.fed.field);
   if (const auto castle = find_castle_name(uniform.variable.name)) return bind_castle(index, *castle);
   if (recipe_.used.screen_pass == ScreenPass::none) return;
-  if (const auto value = find_screen_value(uniform.variable.name)) add(index, screen_source(*value));
+  const auto value = find_screen_value(uniform.variable.name);
+  const bool is_there = value != ScreenValue::depth || recipe_.used.screen_pass == ScreenPass::color_and_depth;
+  if (value && is_there) add(index, screen_source(*value));
 }
 
 std::vector<PackedBinding> Binder::bind() {
@@ -412,7 +415,8 @@ std::vector<PackedBinding> pack_projected_coords(const BindingContext& context, 
   std::vector<PackedBinding> coords;
   if (context.shape.shader < 0) return coords;
   const auto& textures = context.shape.textures;
-  for (std::uint32_t unit = 0; unit < std::min<std::size_t>(units_read, textures.size()); ++unit) {
+  const std::size_t units = std::min<std::size_t>({units_read, textures.size(), kMaxTexCoordSets});
+  for (std::uint32_t unit = 0; unit < units; ++unit) {
     const CoordGenerator generator = textures[unit].generator;
     if (generator != CoordGenerator::projection && generator != CoordGenerator::mirror_plane) continue;
     if (auto binding = projector_binding(context.scene, unit, textures[unit])) coords.push_back(*binding);

@@ -7,14 +7,17 @@
 // - every string and list is present, and every enumerator is one of the schema's;
 // - every index lies in its list, or is -1 or kNoSlot where the schema has a default; the slot `a` of the sources `slot`,
 //   `slot_scaled` and `slot_product` is never kNoSlot; a slot has at least as many numbers as the field that names it reads;
+// - no two slots share values, and no two owners a list or a text: all that is named is no more than what the file holds;
 // - a program has a target, a target a vertex stage, its stages are in pipeline order, SPIR-V is there where it is due;
-// - a binding feeds a sampler from a texture or a shadow map, and any other uniform from anything else;
-// - a mesh has its bounds, its streams lie within the stride and its indices within the vertices; pixels fill their image;
+// - a binding feeds a sampler from a texture, a map or a picture that is there while it is drawn, and any other uniform from
+//   anything else; an array has at most kMaxUniformElements elements;
+// - a mesh has its bounds and one position a vertex, its streams lie within the stride and its indices within the vertices;
+// pixels fill their image;
 // - a shape has a variant for every combination of its switches;
-// - an event node has the slots of its kind; both ends of a route hold as many numbers; routes are in order of where they
-// start;
+// - an event node has the slots of its kind; both ends of a route hold as many numbers; routes ascend, by where they
+// start and end;
 // - transforms come behind their parents; texels and vertices are aligned to 16 bytes, slot values to 8.
-// Numbers themselves (NaN, infinities, a singular scale) are not judged.
+// Numbers themselves (NaN, infinities, a singular scale) are not judged, but for the ranges of levels of detail.
 
 #include <cstdint>
 #include <span>

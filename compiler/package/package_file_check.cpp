@@ -17,7 +17,7 @@ bool check_effect(PackageCheck& check, const PackedEffect& effect, const Place& 
   const auto& scenes = *check.package.scenes();
   if (!check.require_index(place, "scene", effect.scene(), scenes.size())) return false;
   SceneCheck scene{check, *scenes.Get(effect.scene())};
-  return check_origin(check, *effect.origin(), place) &&
+  return check.charge(place, *effect.name()) && check_origin(check, *effect.origin(), place) &&
          check.each(
              &place, "field", *effect.fields(),
              [&](const PackedEffectField* field, const Place& at) { return scene.present_slot(at, "it", field->slot(), 1); }) &&

@@ -33,8 +33,9 @@ inline bool is_index_or_none(std::int32_t index, std::size_t size) {
 
 bool is_aligned(const void* data, std::size_t alignment);
 
-/// The first error, and how many bytes of lists may still be visited: no honest package shares a list between two owners, so
-/// all lists together fit into the buffer, and a small buffer whose lists overlap cannot keep us busy for ever.
+/// The first error, and how many bytes of lists may still be visited: no honest package shares a list or a text between two
+/// owners, so all together fit into the buffer, and a small buffer whose lists overlap can keep nobody busy for ever, neither
+/// us nor who uploads or copies what they hold.
 struct PackageCheck {
   const Package& package;
   std::size_t bytes_left;
@@ -50,12 +51,19 @@ struct PackageCheck {
     return index < size || fail(place, fmt::format("{} {} does not exist, there are {}", what, index, size));
   }
 
+  /// Takes the list's or the text's bytes from those that are left. Every one that `each` does not visit has to be charged.
+  template <typename T>
+  bool charge(const Place& place, const flatbuffers::Vector<T>& list) {
+    const std::size_t bytes = list.size() * flatbuffers::IndirectHelper<T>::element_stride;
+    if (bytes > bytes_left) return fail(place, "its list overlaps others");
+    bytes_left -= bytes;
+    return true;
+  }
+
   /// Calls `function(element, place)` for every element until one returns false.
   template <typename T, typename Function>
   bool each(const Place* outer, const char* word, const flatbuffers::Vector<T>& list, Function function) {
-    const std::size_t bytes = list.size() * flatbuffers::IndirectHelper<T>::element_stride;
-    if (bytes > bytes_left) return fail({outer, word, 0}, "its list overlaps others");
-    bytes_left -= bytes;
+    if (!charge({outer, word, 0}, list)) return false;
     for (flatbuffers::uoffset_t i = 0; i < list.size(); ++i) {
       if (!function(list.Get(i), Place{outer, word, i})) return false;
     }
@@ -108,8 +116,12 @@ bool check_mesh(PackageCheck& check, const PackedMesh& mesh, const Place& place)
 bool check_image(PackageCheck& check, const PackedImage& image, const Place& place);
 bool check_texture(PackageCheck& check, const PackedTexture& texture, const Place& place);
 bool check_scene(PackageCheck& check, const PackedScene& scene, const Place& place);
+
+/// What is drawn with a program, which decides what its uniforms may be fed from.
+enum class Drawn : std::uint8_t { shape, moments, blur, screen_effect, screen_effect_with_depth };
+
 /// Of one program: -1 for none, which nothing may feed. `word` names a binding.
-bool check_bindings(SceneCheck& scene, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
+bool check_bindings(SceneCheck& scene, Drawn drawn, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
                     std::int32_t program, const Place& place);
 /// Event nodes and routes of the scene, whose slots are checked.
 bool check_events(SceneCheck& scene, const Place& place);

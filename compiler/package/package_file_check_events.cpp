@@ -1,6 +1,8 @@
 // The event graph: slots that exist, as many numbers at both ends of a route. What the numbers say (keys out of order, an empty
 // list) is left to the runtime, where events may change them.
 
+#include <utility>
+
 #include "package/package_file_check.h"
 
 namespace plugc {
@@ -104,10 +106,12 @@ bool check_node(SceneCheck& scene, const PackedEventNode& node, const Place& pla
          check_width(scene, node, place) && check_subject(scene, node, place);
 }
 
+/// They ascend, so that none is there twice.
 bool check_route(SceneCheck& scene, const PackedRoute& route, const Place& place) {
   if (!scene.same_size(place, route.from(), route.to())) return false;
-  return place.index == 0 ||
-         scene.scene.routes()->Get(static_cast<flatbuffers::uoffset_t>(place.index - 1))->from() <= route.from() ||
+  if (place.index == 0) return true;
+  const PackedRoute& before = *scene.scene.routes()->Get(static_cast<flatbuffers::uoffset_t>(place.index - 1));
+  return std::pair(before.from(), before.to()) < std::pair(route.from(), route.to()) ||
          scene.check.fail(place, "it is out of order");
 }
 

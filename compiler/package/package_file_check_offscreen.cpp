@@ -23,10 +23,16 @@ bool check_slots(SceneCheck& scene, const char* word, const flatbuffers::Vector<
   });
 }
 
+/// All together lend no more numbers than the scene has, as none is lent to twice.
 bool check_loans(SceneCheck& scene, const PackedRenderedTexture& texture, const Place& place) {
+  std::uint64_t left = scene.scene.slot_values()->size();
   return texture.loans() == nullptr ||
          scene.check.each(&place, "loan", *texture.loans(), [&](const PackedRoute* loan, const Place& at) {
-           return scene.same_size(at, loan->from(), loan->to());
+           if (!scene.same_size(at, loan->from(), loan->to())) return false;
+           const std::uint64_t size = scene.slot_size(loan->to());
+           if (size > left) return scene.check.fail(at, "more is lent than there is");
+           left -= size;
+           return true;
          });
 }
 
@@ -50,8 +56,10 @@ bool check_rendered_texture(SceneCheck& scene, const PackedRenderedTexture& text
 
 bool check_screen_effect(SceneCheck& scene, const PackedScreenEffect& effect, const Place& place) {
   PackageCheck& check = scene.check;
-  return check.require_index(place, "program", effect.program(), check.package.programs()->size()) &&
-         check_bindings(scene, "binding", *effect.bindings(), static_cast<std::int32_t>(effect.program()), place) &&
+  const Drawn drawn = effect.needs_depth() ? Drawn::screen_effect_with_depth : Drawn::screen_effect;
+  return check.charge(place, *effect.name()) &&
+         check.require_index(place, "program", effect.program(), check.package.programs()->size()) &&
+         check_bindings(scene, drawn, "binding", *effect.bindings(), static_cast<std::int32_t>(effect.program()), place) &&
          scene.slot(place, "enabled", effect.enabled(), 1) && scene.transform(place, effect.transform());
 }
 

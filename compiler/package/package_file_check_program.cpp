@@ -16,7 +16,9 @@ bool check_stage(PackageCheck& check, const PackedStage& stage, PackedTarget tar
     return check.fail(place, "its text is empty or too long");
   const bool has_spirv = stage.spirv()->size() != 0 && stage.spirv()->Get(0) == kSpirvMagic;
   if (target == PackedTarget::spirv && !has_spirv) return check.fail(place, "its SPIR-V does not start with the magic number");
-  return check.each(&place, "origin", *stage.origins(),
+  return check.charge(place, *stage.text()) && check.charge(place, *stage.spirv()) &&
+         (stage.columns() == nullptr || check.charge(place, *stage.columns())) &&
+         check.each(&place, "origin", *stage.origins(),
                     [&](const PackedLineOrigin* origin, const Place& at) { return check_origin(check, *origin, at); });
 }
 
@@ -38,7 +40,9 @@ bool check_uniform(PackageCheck& check, const PackedUniform& uniform, const Plac
   if (uniform.name()->size() == 0) return check.fail(place, "it has no name");
   if (!is_enumerator(uniform.type())) return check.fail(place, "its type is unknown");
   if (uniform.targets() == 0) return check.fail(place, "no target reads it");
-  if (uniform.count() == 0) return check.fail(place, "its array has no elements");
+  if (uniform.count() == 0 || uniform.count() > kMaxUniformElements)
+    return check.fail(place, fmt::format("its array has {} elements", uniform.count()));
+  if (!check.charge(place, *uniform.name()) || !check.charge(place, *uniform.initial())) return false;
   const std::uint64_t numbers = std::uint64_t{uniform.count()} * component_count(uniform.type());
   return uniform.initial()->size() == 0 || uniform.initial()->size() == numbers ||
          check.fail(place, fmt::format("it starts with {} numbers, not {}", uniform.initial()->size(), numbers));
@@ -46,6 +50,7 @@ bool check_uniform(PackageCheck& check, const PackedUniform& uniform, const Plac
 
 bool check_attribute(PackageCheck& check, const PackedAttribute& attribute, const Place& place) {
   if (attribute.name()->size() == 0) return check.fail(place, "it has no name");
+  if (!check.charge(place, *attribute.name())) return false;
   return is_enumerator(attribute.semantic()) || check.fail(place, "its semantic is unknown");
 }
 
@@ -62,6 +67,7 @@ bool check_program(PackageCheck& check, const PackedProgram& program, const Plac
     return check_target_program(check, *target, at);
   };
   if (program.targets()->size() == 0) return check.fail(place, "it has no target");
+  if (!check.charge(place, *program.name()) || !check.charge(place, *program.recipe())) return false;
   return check.each(&place, "target", *program.targets(), check_target) &&
          check.each(&place, "uniform", *program.uniforms(),
                     [&](const PackedUniform* uniform, const Place& at) { return check_uniform(check, *uniform, at); }) &&

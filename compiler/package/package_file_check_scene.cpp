@@ -6,9 +6,18 @@
 namespace plugc {
 namespace {
 
+/// The value behind a slot's last.
+std::uint64_t end_of(const SceneCheck& scene, std::size_t index) {
+  return scene.scene.slots()->Get(static_cast<flatbuffers::uoffset_t>(index))->first() +
+         scene.slot_size(static_cast<std::uint32_t>(index));
+}
+
+/// Each lies behind the one before, so that no two share values, and all together are no more than there are values.
 bool check_slot(SceneCheck& scene, const PackedSlot& slot, const Place& place) {
   if (!is_enumerator(slot.type())) return scene.check.fail(place, "its type is unknown");
-  const std::uint64_t end = slot.first() + std::uint64_t{slot.count()} * component_count(slot.type());
+  if (place.index != 0 && slot.first() < end_of(scene, place.index - 1))
+    return scene.check.fail(place, fmt::format("it begins at value {}, in the slot before", slot.first()));
+  const std::uint64_t end = end_of(scene, place.index);
   const std::size_t available = scene.scene.slot_values()->size();
   return end <= available || scene.check.fail(place, fmt::format("it ends at value {} of {}", end, available));
 }
@@ -18,11 +27,12 @@ bool check_slots(SceneCheck& scene, const Place& place) {
   const auto& values = *scene.scene.slot_values();
   if (values.size() != 0 && !is_aligned(values.data(), alignof(double)))
     return check.fail(place, "its slot values are not aligned");
-  return check.each(&place, "slot", *scene.scene.slots(), [&](const PackedSlot* slot, const Place& at) {
-    return check_slot(scene, *slot, at);
-  }) && check.each(&place, "slot name", *scene.scene.slot_names(), [&](const PackedSlotName* name, const Place& at) {
-    return scene.present_slot(at, "it", name->slot(), 0);
-  });
+  return check.charge(place, values) &&
+         check.each(&place, "slot", *scene.scene.slots(),
+                    [&](const PackedSlot* slot, const Place& at) { return check_slot(scene, *slot, at); }) &&
+         check.each(&place, "slot name", *scene.scene.slot_names(), [&](const PackedSlotName* name, const Place& at) {
+           return check.charge(at, *name->name()) && scene.present_slot(at, "it", name->slot(), 0);
+         });
 }
 
 bool check_transform(SceneCheck& scene, const PackedTransform& transform, const Place& place) {
@@ -37,8 +47,9 @@ bool check_transform(SceneCheck& scene, const PackedTransform& transform, const 
 
 bool check_light(SceneCheck& scene, const PackedLight& light, const Place& place) {
   if (!is_enumerator(light.kind())) return scene.check.fail(place, "its kind is unknown");
-  return scene.transform(place, light.transform()) && scene.slot(place, "on", light.on(), 1) &&
-         scene.slot(place, "color", light.color(), 3) && scene.slot(place, "intensity", light.intensity(), 1) &&
+  return scene.check.charge(place, *light.name()) && scene.transform(place, light.transform()) &&
+         scene.slot(place, "on", light.on(), 1) && scene.slot(place, "color", light.color(), 3) &&
+         scene.slot(place, "intensity", light.intensity(), 1) &&
          scene.slot(place, "ambient intensity", light.ambient_intensity(), 1) &&
          scene.slot(place, "location", light.location(), 3) && scene.slot(place, "direction", light.direction(), 3) &&
          scene.slot(place, "attenuation", light.attenuation(), 3) && scene.slot(place, "radius", light.radius(), 1) &&
@@ -70,8 +81,8 @@ bool check_map_programs(SceneCheck& scene, const PackedShadowMap& map, const Pla
     if ((program >= 0) != keeps_moments(map.method()) || !is_index_or_none(program, count))
       return check.fail(place, fmt::format("program {} does not fit its method", program));
   }
-  return check_bindings(scene, "moments binding", *map.moments_bindings(), map.moments_program(), place) &&
-         check_bindings(scene, "blur binding", *map.blur_bindings(), map.blur_program(), place);
+  return check_bindings(scene, Drawn::moments, "moments binding", *map.moments_bindings(), map.moments_program(), place) &&
+         check_bindings(scene, Drawn::blur, "blur binding", *map.blur_bindings(), map.blur_program(), place);
 }
 
 bool check_billboard(SceneCheck& scene, const PackedBillboard& billboard, const Place& place) {
@@ -98,7 +109,8 @@ bool check_texture_transform(SceneCheck& scene, const PackedTextureTransform& tr
 }
 
 bool check_viewpoint(SceneCheck& scene, const PackedViewpoint& viewpoint, const Place& place) {
-  return scene.transform(place, viewpoint.transform()) && scene.slot(place, "position", viewpoint.position(), 3) &&
+  return scene.check.charge(place, *viewpoint.name()) && scene.check.charge(place, *viewpoint.description()) &&
+         scene.transform(place, viewpoint.transform()) && scene.slot(place, "position", viewpoint.position(), 3) &&
          scene.slot(place, "orientation", viewpoint.orientation(), 4) &&
          scene.slot(place, "field of view", viewpoint.field_of_view(), viewpoint.orthographic() ? 4 : 1);
 }

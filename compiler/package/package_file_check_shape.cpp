@@ -1,5 +1,6 @@
 // Shapes: what feeds the uniforms of their programs, and the programs of their states.
 
+#include "base/limits.h"
 #include "package/package_file_check.h"
 
 namespace plugc {
@@ -85,34 +86,50 @@ bool feeds_sampler(PackedSource source) {
          source == PackedSource::screen_color || source == PackedSource::screen_depth;
 }
 
-bool check_binding(SceneCheck& scene, const PackedBinding& binding, const PackedProgram& program, const Place& place) {
+/// Whether the source is there meanwhile: nobody may read what he draws into, or what nobody has drawn.
+bool is_there(PackedSource source, Drawn drawn) {
+  switch (source) {
+    case PackedSource::screen_color:
+    case PackedSource::screen_width:
+    case PackedSource::screen_height: return drawn == Drawn::screen_effect || drawn == Drawn::screen_effect_with_depth;
+    case PackedSource::screen_depth: return drawn == Drawn::screen_effect_with_depth;
+    case PackedSource::shadow_depths: return drawn == Drawn::moments;
+    case PackedSource::shadow_unblurred: return drawn == Drawn::blur;
+    default: return true;
+  }
+}
+
+bool check_binding(SceneCheck& scene, Drawn drawn, const PackedBinding& binding, const PackedProgram& program,
+                   const Place& place) {
   if (!scene.check.require_index(place, "uniform", binding.uniform(), program.uniforms()->size())) return false;
   const PackedUniform& uniform = *program.uniforms()->Get(binding.uniform());
   if (feeds_sampler(binding.source()) != (component_count(uniform.type()) == 0)) {
     return scene.check.fail(place, fmt::format("its source does not fit the uniform `{}`", uniform.name()->string_view()));
   }
+  if (!is_there(binding.source(), drawn)) return scene.check.fail(place, "its source is not there for what is drawn");
   return check_operands(scene, binding, uniform, place);
 }
 
 }  // namespace
 
-bool check_bindings(SceneCheck& scene, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
+bool check_bindings(SceneCheck& scene, Drawn drawn, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
                     std::int32_t program, const Place& place) {
   const auto& programs = *scene.check.package.programs();
   return scene.check.each(&place, word, bindings, [&](const PackedBinding* binding, const Place& at) {
     if (program < 0) return scene.check.fail(at, "there is no program that it could feed");
-    return check_binding(scene, *binding, *programs.Get(static_cast<std::uint32_t>(program)), at);
+    return check_binding(scene, drawn, *binding, *programs.Get(static_cast<std::uint32_t>(program)), at);
   });
 }
 
 namespace {
 
-constexpr std::size_t kMaxCoordUnits = 256;  // PackedStream::unit is a byte
-
-/// Coordinates that are computed for a vertex shader.
-bool check_projected_coord(SceneCheck& scene, const PackedBinding& coord, const Place& place) {
+/// Coordinates that are computed for a vertex shader, each in a buffer of its own.
+bool check_projected_coord(SceneCheck& scene, const PackedShape& shape, const PackedBinding& coord, const Place& place) {
   PackageCheck& check = scene.check;
-  if (!check.require_index(place, "unit", coord.uniform(), kMaxCoordUnits)) return false;
+  if (!check.require_index(place, "unit", coord.uniform(), kMaxTexCoordSets)) return false;
+  const auto before = static_cast<flatbuffers::uoffset_t>(place.index) - 1;
+  if (place.index != 0 && shape.projected_coords()->Get(before)->uniform() >= coord.uniform())
+    return check.fail(place, "it is out of order");
   if (coord.source() == PackedSource::projector_matrix)
     return check.require_index(place, "shadow map", coord.a(), scene.scene.shadow_maps()->size());
   if (coord.source() == PackedSource::mirror_projector_matrix) return true;
@@ -125,7 +142,7 @@ bool check_programs(SceneCheck& scene, const ShapePrograms& use, const Place& pl
   PackageCheck& check = scene.check;
   const std::size_t count = check.package.programs()->size();
   if (!check.require_index(place, "program", use.program, count) ||
-      !check_bindings(scene, "binding", *use.bindings, static_cast<std::int32_t>(use.program), place)) {
+      !check_bindings(scene, Drawn::shape, "binding", *use.bindings, static_cast<std::int32_t>(use.program), place)) {
     return false;
   }
   if (!is_index_or_none(use.depth_program, count))
@@ -134,9 +151,9 @@ bool check_programs(SceneCheck& scene, const ShapePrograms& use, const Place& pl
     return check.fail(place, fmt::format("point depth program {} does not exist", use.point_depth_program));
   if (use.point_depth_program >= 0 && use.point_depth_bindings == nullptr)
     return check.fail(place, "its point depth program has no bindings");
-  return check_bindings(scene, "depth binding", *use.depth_bindings, use.depth_program, place) &&
-         (use.point_depth_bindings == nullptr ||
-          check_bindings(scene, "point depth binding", *use.point_depth_bindings, use.point_depth_program, place));
+  return check_bindings(scene, Drawn::shape, "depth binding", *use.depth_bindings, use.depth_program, place) &&
+         (use.point_depth_bindings == nullptr || check_bindings(scene, Drawn::shape, "point depth binding",
+                                                                *use.point_depth_bindings, use.point_depth_program, place));
 }
 
 bool check_switch(SceneCheck& scene, const PackedSwitch& one, const Place& place) {
@@ -148,7 +165,7 @@ bool check_switch(SceneCheck& scene, const PackedSwitch& one, const Place& place
 
 /// Every combination of the switches must lead to programs.
 bool check_states(SceneCheck& scene, const PackedShape& shape, const Place& place) {
-  constexpr std::uint32_t kMaxSwitches = 8;
+  constexpr std::uint32_t kMaxSwitches = 8, kMaxVariants = 255;  // states are bytes
   PackageCheck& check = scene.check;
   const std::uint32_t switches = shape.switches()->size();
   if (switches > kMaxSwitches) return check.fail(place, fmt::format("it has {} switches", switches));
@@ -156,6 +173,7 @@ bool check_states(SceneCheck& scene, const PackedShape& shape, const Place& plac
   if (shape.states()->size() != needed)
     return check.fail(place, fmt::format("it has {} states, not {}", shape.states()->size(), needed));
   const std::uint32_t variants = shape.variants()->size();
+  if (variants > kMaxVariants) return check.fail(place, fmt::format("it has {} variants", variants));
   return check.each(&place, "switch", *shape.switches(), [&](const PackedSwitch* one, const Place& at) {
     return check_switch(scene, *one, at);
   }) && check.each(&place, "variant", *shape.variants(), [&](const PackedVariant*, const Place& at) {
@@ -172,19 +190,22 @@ bool check_shape(SceneCheck& scene, const PackedShape& shape, const Place& place
   if (!is_enumerator(shape.blend_source()) || !is_enumerator(shape.blend_destination())) {
     return check.fail(place, "its blend factor is unknown");
   }
+  if ((shape.bounds_min() == nullptr) != (shape.bounds_max() == nullptr))
+    return check.fail(place, "its bounds have one corner alone");
   const auto* textures = scene.scene.rendered_textures();
   if (!is_index_or_none(shape.own_scene_of(), textures == nullptr ? 0 : textures->size()))
     return check.fail(place, fmt::format("rendered texture {} does not exist", shape.own_scene_of()));
   if (!is_enumerator(shape.layer())) return check.fail(place, "its layer is unknown");
-  return scene.transform(place, shape.transform()) && scene.slot(place, "line width", shape.line_width(), 1) &&
-         scene.slot(place, "alpha cutoff", shape.alpha_cutoff(), 1) &&
+  return check.charge(place, *shape.name()) && scene.transform(place, shape.transform()) &&
+         scene.slot(place, "line width", shape.line_width(), 1) && scene.slot(place, "alpha cutoff", shape.alpha_cutoff(), 1) &&
          scene.slot(place, "blend color", shape.blend_color(), 3) &&
          scene.slot(place, "blend transparency", shape.blend_transparency(), 1) &&
          check.require_index(place, "mesh", shape.mesh(), check.package.meshes()->size()) &&
          check_programs(scene, shape_programs(shape, 0), place) && check_states(scene, shape, place) &&
-         (shape.projected_coords() == nullptr ||
-          check.each(&place, "projected coordinates", *shape.projected_coords(),
-                     [&](const PackedBinding* coord, const Place& at) { return check_projected_coord(scene, *coord, at); })) &&
+         (shape.projected_coords() == nullptr || check.each(&place, "projected coordinates", *shape.projected_coords(),
+                                                            [&](const PackedBinding* coord, const Place& at) {
+                                                              return check_projected_coord(scene, shape, *coord, at);
+                                                            })) &&
          check.each(&place, "receives", *shape.receives(), [&](std::uint32_t map, const Place& at) {
            return check.require_index(at, "shadow map", map, scene.scene.shadow_maps()->size());
          });

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "base/clean_text.h"
 #include "package/package_file.h"
 
 namespace plugc {
@@ -24,14 +25,9 @@ void line(Text& text, fmt::format_string<Args...> format, Args&&... args) {
   text.push_back('\n');
 }
 
-/// In backticks, with whatever would break a line written as \xNN.
+/// In backticks, and on one line.
 std::string quoted(const flatbuffers::String& string) {
-  std::string result;
-  for (const char c : string) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return fmt::format("`{}`", result);
+  return fmt::format("`{}`", printable(string.string_view()));
 }
 
 std::string quoted(const flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>& list) {

@@ -21,6 +21,7 @@
 #include <deque>
 #include <memory>
 
+#include "base/limits.h"
 #include "glsl/scan.h"
 #include "validate/expression_depth.h"
 #include "validate/glslang_log.h"
@@ -167,6 +168,20 @@ std::vector<VerdictMessage> link(const Candidate& candidate, Linked& linked) {
   return messages;
 }
 
+/// A package takes no longer arrays; the last stage that names one declares it.
+std::vector<VerdictMessage> find_long_arrays(const Candidate& candidate, const std::vector<ReflectedVariable>& uniforms) {
+  std::vector<VerdictMessage> messages;
+  for (const ReflectedVariable& uniform : uniforms) {
+    if (uniform.count <= kMaxUniformElements) continue;
+    const auto named = [&](const Candidate::Stage& stage) { return stage.text.find(uniform.name) != std::string::npos; };
+    const auto stage = std::find_if(candidate.stages.rbegin(), candidate.stages.rend(), named);
+    messages.push_back(
+        {stage == candidate.stages.rend() ? candidate.stages.back().stage : stage->stage, 0, uniform.name,
+         fmt::format("`{}` has {} elements; plugc takes at most {}", uniform.name, uniform.count, kMaxUniformElements)});
+  }
+  return messages;
+}
+
 /// Text that was not parsed for SPIR-V tells glslang no version of it to write.
 void set_version(std::vector<std::uint32_t>& words) {
   constexpr std::uint32_t kVersion10 = 0x00010000;
@@ -248,7 +263,10 @@ Verdict judge_linked(const Candidate& candidate) {
   verdict.messages = link(candidate, linked);
   if (!verdict.valid()) return verdict;
   linked.program.buildReflection(EShReflectionDefault);
-  verdict.uniforms = reflect_uniforms(linked.program);
+  std::vector<ReflectedVariable> uniforms = reflect_uniforms(linked.program);
+  verdict.messages = find_long_arrays(candidate, uniforms);
+  if (!verdict.valid()) return verdict;
+  verdict.uniforms = std::move(uniforms);
   if (candidate.stages.front().stage == ShaderStage::vertex) verdict.attributes = reflect_attributes(linked.program);
   if (candidate.target != Target::spirv && !candidate.optimize) return verdict;
   try {

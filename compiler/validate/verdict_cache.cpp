@@ -27,7 +27,7 @@ namespace plugc {
 namespace {
 
 /// To be counted up whenever judging changes: old entries are no longer found.
-constexpr int kJudgingVersion = 4;
+constexpr int kJudgingVersion = 5;
 constexpr std::size_t kMaxEntryBytes = std::size_t{64} << 20;
 
 std::string entry_tag() {

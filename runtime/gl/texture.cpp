@@ -132,6 +132,15 @@ GLenum texture_target(PackedUniformType sampler) {
   }
 }
 
+GLsizei max_texture_side(const Functions& gl, GLenum target) {
+  GLint side = 0;
+  gl.GetIntegerv(target == GL_TEXTURE_3D         ? GL_MAX_3D_TEXTURE_SIZE
+                 : target == GL_TEXTURE_CUBE_MAP ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
+                                                 : GL_MAX_TEXTURE_SIZE,
+                 &side);
+  return side;
+}
+
 Texture upload_texture(const Functions& gl, const PackedTexture& texture, const PackedImage& image, PackedUniformType sampler) {
   const GLenum target = texture_target(sampler);
   const std::size_t pixel_count = std::size_t{image.width()} * image.height() * image.depth();

@@ -14,6 +14,9 @@ inline constexpr GLint kUploadUnit = 47;
 /// The texture target that a sampler of that type reads.
 GLenum texture_target(PackedUniformType sampler);
 
+/// Texels along a side that a texture of that target may have.
+GLsizei max_texture_side(const Functions& gl, GLenum target);
+
 /// A picture as that sampler type sees it: 2D takes the first slice, 3D all, a cube six slices (+x -x +y -y +z -z).
 /// No name when the picture does not fit (no pixels, a cube of other than six square slices).
 Texture upload_texture(const Functions& gl, const PackedTexture& texture, const PackedImage& image, PackedUniformType sampler);

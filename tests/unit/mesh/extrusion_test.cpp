@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -103,6 +104,29 @@ TEST(Extrusion, PointsThatCoincideHaveOnePlane) {
   for (const glm::vec3& point : mesh.positions) EXPECT_TRUE(std::isfinite(point.x + point.y + point.z));
   const Box3 box = box_of(mesh.positions);
   EXPECT_EQ(box.high, glm::vec3(1, 1, 1));
+}
+
+std::string repeated(std::string_view piece, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += piece;
+  return text;
+}
+
+TEST(Extrusion, ManyPointsInOnePlaceStayQuick) {
+  const std::string cross_section = "Extrusion { beginCap FALSE endCap FALSE crossSection [ 1 0, -1 0 ] spine [ ";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(mesh_from(cross_section + repeated("0 0 0, ", 100'000) + "] }").indices.size(), 6U * 99'999);
+  const Mesh bent = mesh_from(cross_section + repeated("0 0 0, ", 50'000) + repeated("0 2 0, ", 50'000) + "3 2 0 ] }");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_EQ(box_of(bent.positions).low.y, box_of(mesh_from(cross_section + "0 0 0, 0 2 0, 3 2 0 ] }").positions).low.y);
+}
+
+TEST(Extrusion, IsLimitedByTheCornersOfItsFaces) {
+  const MadeMesh made = make_mesh_from("Extrusion { crossSection [ " + repeated("1 0 0 1 ", 1'800) + "] spine [ " +
+                                       repeated("0 1 0 ", 3'600) + "] }");
+  EXPECT_FALSE(made.mesh);
+  EXPECT_THAT(made.messages, ElementsAre("2:1 this `Extrusion` has 3599 x 3599 faces, more than 50000000 corners; plugc takes "
+                                         "no more [geometry-limit]"));
 }
 
 TEST(Extrusion, SaysWhereThereIsNothingToDraw) {

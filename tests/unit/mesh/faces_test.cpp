@@ -102,6 +102,47 @@ TEST(IndexedFaceSet, MultiTextureCoordinateGivesUnitsAndGeneratedOnesTheDefault)
   EXPECT_EQ(mesh.tex_coords[3][2], glm::vec4(1, 2, 5, 1));
 }
 
+TEST(IndexedFaceSet, TakesSoManySetsOfCoordinates) {
+  std::string sets;
+  for (int i = 0; i < 40; ++i) sets += "TextureCoordinate { point [ 0 0, 1 0, 1 1 ] } ";
+  const MadeMesh made = make_mesh_from(
+      "IndexedFaceSet { coord Coordinate { point [ 0 0 0, 1 0 0, 0 1 0 ] } coordIndex [ 0 1 2 ]\n"
+      "texCoord MultiTextureCoordinate { texCoord [ " +
+      sets + "] } }");
+  EXPECT_THAT(made.messages,
+              ElementsAre("3:10 `texCoord` has 40 sets of coordinates; plugc takes the first 32 [geometry-limit]"));
+  EXPECT_EQ(made.mesh.value().tex_coords.size(), 32u);
+}
+
+TEST(IndexedFaceSet, TakesAsManyAttributesAsAProgramReads) {
+  std::string attributes;
+  for (const char* const name : {"a", "b", "c", "d"})
+    attributes += fmt::format("Matrix4VertexAttribute {{ name \"{}\" value [ 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 ] }} ", name);
+  const MadeMesh made =
+      make_mesh_from("IndexedTriangleSet { coord Coordinate { point 0 0 0 } index [ 0 0 0 ]\nattrib [ " + attributes + "] }");
+  EXPECT_THAT(made.messages,
+              ElementsAre("3:8 `attrib` has more than 11 columns, and no program reads more; `c` and what follows "
+                          "is left out [geometry-limit]"));
+  EXPECT_EQ(made.mesh.value().attributes.size(), 2u);
+}
+
+/// Each face is cut in a time that is bearable; so is what a few kilobytes each can ask for together.
+TEST(IndexedFaceSet, CutsConcaveFacesWhileThatIsBearable) {
+  std::string points, face;
+  for (int i = 0; i < 4096; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / 4096, radius = i % 2 == 0 ? 1 : 0.9;
+    points += fmt::format("{:.5f} {:.5f} 0, ", radius * std::cos(angle), radius * std::sin(angle));
+    face += fmt::format("{} ", i);
+  }
+  std::string faces;
+  for (int i = 0; i < 130; ++i) faces += face + "-1 ";
+  const MadeMesh made = make_mesh_from("IndexedFaceSet { convex FALSE coord Coordinate { point [ " + points +
+                                       "] } coordIndex [ " + faces + "] }");
+  EXPECT_EQ(made.mesh.value().indices.size(), 130u * 4094 * 3);
+  EXPECT_THAT(made.messages, ElementsAre("2:1 this `IndexedFaceSet` has more concave corners than plugc cuts into triangles in "
+                                         "bearable time; it takes some faces as convex [geometry-limit]"));
+}
+
 TEST(IndexedFaceSet, ConcaveFacesKeepTheirArea) {
   const std::string arrow = "coord Coordinate { point [ 0 0 0, 4 -3 0, 1 0 0, 4 3 0 ] } coordIndex [ 0 1 2 3 ]";
   EXPECT_NEAR(total_area(mesh_from("IndexedFaceSet { convex FALSE " + arrow + " }")), 3, 1e-6);

@@ -66,6 +66,16 @@ TEST(Triangulate, CrossedPolygonsEndWithTheRightNumberOfTriangles) {
   EXPECT_EQ(triangulate(one_point, {&all, 1}).size(), 48u * 3);
 }
 
+TEST(Triangulate, SpendsWhatItIsGivenAndNoMore) {
+  const std::vector<glm::dvec2> points = star(9, 0.3);
+  const std::uint32_t end = 18;
+  std::uint64_t work_left = 18 * 9 + 161;  // nine corners are reflex
+  EXPECT_EQ(triangulate(points, {&end, 1}, &work_left).size(), 16u * 3);
+  EXPECT_EQ(work_left, 161u);
+  EXPECT_TRUE(triangulate(points, {&end, 1}, &work_left).empty());
+  EXPECT_EQ(work_left, 161u);
+}
+
 TEST(Triangulate, TakesTheLargestPolygonsAndNoLarger) {
   const std::vector<glm::dvec2> largest = star(kMaxPolygonCorners / 2, 0.9), larger = star(kMaxPolygonCorners / 2 + 1, 0.9);
   const auto end = static_cast<std::uint32_t>(largest.size()), larger_end = static_cast<std::uint32_t>(larger.size());

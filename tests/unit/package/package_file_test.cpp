@@ -149,6 +149,10 @@ TEST(PackageFile, ChecksPrograms) {
             "program 0, target 1: its target is there twice");
   EXPECT_EQ(error_after([](PackageT& p) { p.programs[0]->uniforms[1]->type = PackedUniformType{99}; }),
             "program 0, uniform 1: its type is unknown");
+  for (const std::uint32_t count : {0U, 4097U, 4294967295U}) {
+    EXPECT_EQ(error_after([&](PackageT& p) { p.programs[0]->uniforms[1]->count = count; }),
+              "program 0, uniform 1: its array has " + std::to_string(count) + " elements");
+  }
   EXPECT_EQ(error_after([](PackageT& p) { p.programs[0]->attributes[0]->semantic = PackedSemantic{99}; }),
             "program 0, attribute 0: its semantic is unknown");
 }
@@ -167,6 +171,18 @@ TEST(PackageFile, ChecksMeshes) {
             }),
             "mesh 0, stream 1: it has not 1 to 4 components");
   EXPECT_EQ(error_after([](PackageT& p) { p.meshes[0]->bounds_max.reset(); }), "mesh 0: it has no bounds");
+}
+
+TEST(PackageFile, ChecksThatVerticesHaveOnePlace) {
+  const auto after = [](std::vector<PackedStream> streams) {
+    return error_after([&](PackageT& p) { p.meshes[0]->streams = streams; });
+  };
+  const PackedStream position{PackedSemantic::position, 0, 3, 0}, coord{PackedSemantic::tex_coord, 0, 2, 12};
+  EXPECT_EQ(after({coord}), "mesh 0: its vertices have no position");
+  EXPECT_EQ(after({position, coord, position}), "mesh 0, stream 2: it is there twice");
+  EXPECT_EQ(after({position, coord, coord}), "mesh 0, stream 2: it is there twice");
+  EXPECT_EQ(after({position, {PackedSemantic::position, 1, 3, 0}}), "mesh 0, stream 1: only texture coordinates are numbered");
+  EXPECT_EQ(after({position, coord, {PackedSemantic::tex_coord, 1, 2, 12}}), "");
 }
 
 TEST(PackageFile, ChecksAttributesOfAuthors) {
@@ -218,6 +234,12 @@ TEST(PackageFile, ChecksSlots) {
               p.scenes[0]->slots[2] = {0xFFFFFFFF, 1, PackedValueType::rotation};
             }),
             "scene 0, slot 2: it ends at value 4294967299 of 8");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->slots[1] = {2, 1, PackedValueType::float_};
+            }),
+            "scene 0, slot 1: it begins at value 2, in the slot before");
+  EXPECT_EQ(error_after([](PackageT& p) { std::swap(p.scenes[0]->slots[1], p.scenes[0]->slots[2]); }),
+            "scene 0, slot 2: it begins at value 3, in the slot before");
   EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->slot_names[0]->slot = 3; }),
             "scene 0, slot name 0: it is slot 3, which does not exist");
   EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->lights[0]->color = kSampleScalar; }),
@@ -299,6 +321,12 @@ TEST(PackageFile, ChecksShapes) {
   EXPECT_EQ(after([](PackedShapeT& s) { s.depth_program = -2; }), "scene 0, shape 0: depth program -2 does not exist");
   EXPECT_EQ(after([](PackedShapeT& s) { s.depth_program = -1; }),
             "scene 0, shape 0, depth binding 0: there is no program that it could feed");
+  EXPECT_EQ(after([](PackedShapeT& s) { s.bounds_min = std::make_unique<PackedVec3>(0, 0, 0); }),
+            "scene 0, shape 0: its bounds have one corner alone");
+  EXPECT_EQ(after([](PackedShapeT& s) {
+              s.projected_coords = {{2, 0, 0, 1, PackedSource::projector_matrix}, {2, 0, 0, 1, PackedSource::projector_matrix}};
+            }),
+            "scene 0, shape 0, projected coordinates 1: it is out of order");
   EXPECT_EQ(after([](PackedShapeT& s) { s.receives = {1}; }),
             "scene 0, shape 0, receives 0: shadow map 1 does not exist, there are 1");
 }
@@ -314,6 +342,10 @@ TEST(PackageFile, ChecksThatEveryStateHasPrograms) {
   EXPECT_EQ(after([](PackedShapeT& s) { s.states = {0, 1, 0}; }), "scene 0, shape 0: it has 3 states, not 4");
   EXPECT_EQ(after([](PackedShapeT& s) { s.switches.clear(); }), "scene 0, shape 0: it has 4 states, not 0");
   EXPECT_EQ(after([](PackedShapeT& s) { s.switches.resize(9); }), "scene 0, shape 0: it has 9 switches");
+  EXPECT_EQ(after([](PackedShapeT& s) {
+              while (s.variants.size() < 256) s.variants.push_back(std::make_unique<PackedVariantT>(*s.variants[0]));
+            }),
+            "scene 0, shape 0: it has 256 variants");
   EXPECT_EQ(after([](PackedShapeT& s) {
               s.switches[0] = {3, PackedSwitchKind::slot};
             }),
@@ -370,6 +402,10 @@ TEST(PackageFile, ChecksRenderedTextures) {
               texture(p).loans = {{kSampleScalar, kSampleColor}};
             }),
             "scene 0, rendered texture 0, loan 0: 1 numbers lead to 3");
+  EXPECT_EQ(error_after([&](PackageT& p) {
+              texture(p).loans.assign(9, {kSampleScalar, kSampleScalar});
+            }),
+            "scene 0, rendered texture 0, loan 8: more is lent than there is");
   EXPECT_EQ(error_after([](PackageT& p) { p.scenes[0]->shapes[0]->own_scene_of = 1; }),
             "scene 0, shape 0: rendered texture 1 does not exist");
   EXPECT_EQ(error_after([](PackageT& p) {
@@ -389,6 +425,39 @@ TEST(PackageFile, ChecksScreenEffects) {
               effect(p).bindings = {{0, 0, 0, 1, PackedSource::screen_depth}};
             }),
             "scene 0, screen effect 0, binding 0: its source does not fit the uniform `color`");
+}
+
+/// Nobody may read what he draws into, or what nobody has drawn.
+TEST(PackageFile, ChecksThatWhatIsReadIsThere) {
+  const auto of_shape = [](PackedSource source) {
+    return error_after([&](PackageT& p) { p.scenes[0]->shapes[0]->bindings = {{2, 0, 0, 1, source}}; });
+  };
+  for (const PackedSource source :
+       {PackedSource::screen_color, PackedSource::screen_depth, PackedSource::shadow_depths, PackedSource::shadow_unblurred})
+    EXPECT_EQ(of_shape(source), "scene 0, shape 0, binding 0: its source is not there for what is drawn");
+  EXPECT_EQ(of_shape(PackedSource::shadow_map), "");
+  const auto of_effect = [](bool needs_depth) {
+    return error_after([&](PackageT& p) {
+      p.scenes[0]->screen_effects[0]->needs_depth = needs_depth;
+      p.scenes[0]->screen_effects[0]->bindings = {{2, 0, 0, 1, PackedSource::screen_depth}};
+    });
+  };
+  EXPECT_EQ(of_effect(true), "");
+  EXPECT_EQ(of_effect(false), "scene 0, screen effect 0, binding 0: its source is not there for what is drawn");
+  const auto of_map = [](PackedSource of_moments, PackedSource of_blur) {
+    return error_after([&](PackageT& p) {
+      PackedShadowMapT& map = *p.scenes[0]->shadow_maps[0];
+      map.method = PackedShadowMethod::vsm;
+      map.moments_program = map.blur_program = 0;
+      map.moments_bindings = {{2, 0, 0, 1, of_moments}};
+      map.blur_bindings = {{2, 0, 0, 1, of_blur}};
+    });
+  };
+  EXPECT_EQ(of_map(PackedSource::shadow_depths, PackedSource::shadow_unblurred), "");
+  EXPECT_EQ(of_map(PackedSource::shadow_unblurred, PackedSource::shadow_unblurred),
+            "scene 0, shadow map 0, moments binding 0: its source is not there for what is drawn");
+  EXPECT_EQ(of_map(PackedSource::shadow_depths, PackedSource::screen_color),
+            "scene 0, shadow map 0, blur binding 0: its source is not there for what is drawn");
 }
 
 TEST(PackageFile, ChecksEffectsOfALibrary) {
@@ -475,6 +544,10 @@ TEST(PackageFile, ChecksEvents) {
             "scene 0, route 0: 3 numbers lead to 1");
   EXPECT_EQ(error_after([](PackageT& p) {
               p.scenes[0]->routes = {{kSampleScalar, kSampleScalar}, {kSampleColor, kSampleColor}};
+            }),
+            "scene 0, route 1: it is out of order");
+  EXPECT_EQ(error_after([](PackageT& p) {
+              p.scenes[0]->routes = {{kSampleColor, kSampleColor}, {kSampleColor, kSampleColor}};
             }),
             "scene 0, route 1: it is out of order");
 }
