@@ -29,7 +29,7 @@ bool may_be_seen(const LoadedScene& scene, const RenderedTexture& made) {
 
 bool is_due(const LoadedScene& scene, const PackedRenderedTexture& packed, const RenderedTexture& made) {
   if (!made.shown.texture || packed.update() == PackedShadowUpdate::none) return false;
-  return (packed.update() == PackedShadowUpdate::always || !made.drawn) && may_be_seen(scene, made);
+  return (packed.update() == PackedShadowUpdate::always || made.times_drawn == 0) && may_be_seen(scene, made);
 }
 
 /// What is around the view of the texture of that index.
@@ -165,9 +165,9 @@ bool draw_rendered_texture(Frame& frame, std::uint32_t index) {
   const bool shows_others = view && shows_textures(scene, *view);
   end_view(scene.slots, packed, lent);
   if (!view) return false;
-  made.drawn = true;
+  ++made.times_drawn;
   if (made.next.texture) std::swap(made.shown, made.next);
-  gl::update_mipmaps(frame.gl, cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, made.shown.texture, packed.minification());
+  gl::update_mipmaps(frame.gl, cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, made.shown.texture, made.minification);
   return shows_others;
 }
 
@@ -182,7 +182,7 @@ void draw_rendered_textures(Frame& frame) {
     const RenderedTexture& made = scene.rendered_textures[i];
     if (!is_due(scene, *scene.packed->rendered_textures()->Get(i), made)) continue;
     due.push_back(i);
-    any_new = any_new || !made.drawn;
+    any_new = any_new || made.times_drawn == 0;
   }
   for (int round = 0; round < (any_new ? kFirstRounds : 1); ++round)
     std::erase_if(due, [&](std::uint32_t texture) { return !draw_rendered_texture(frame, texture); });

@@ -69,7 +69,7 @@ BoundTexture rendered_texture(LoadedScene& scene, const PackedBinding& binding, 
   const RenderedTexture& made = scene.rendered_textures[binding.a()];
   const bool cube = scene.packed->rendered_textures()->Get(binding.a())->kind() == PackedRenderedKind::cube;
   const bool fits = type == (cube ? PackedUniformType::samplerCube : PackedUniformType::sampler2D);
-  const bool can_be_read = made.drawn && (!made.being_drawn || made.next.texture);
+  const bool can_be_read = made.times_drawn != 0 && (!made.being_drawn || made.next.texture);
   if (fits && can_be_read) return {made.shown.texture.id()};
   return {scene.resources.stand_in(type).id()};
 }

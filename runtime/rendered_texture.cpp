@@ -72,6 +72,7 @@ RenderedTexture make_rendered_texture(const gl::Functions& gl, const PackedRende
     return {};
   }
   texels_left -= texels;
+  made.minification = settings_of(packed).minification;
   made.shown = make_picture(gl, packed, made);
   if (may_show_itself && texels <= texels_left) {
     texels_left -= texels;

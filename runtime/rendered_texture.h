@@ -27,9 +27,10 @@ struct RenderedTexture {
   /// empty.
   DrawnPicture next;
   GLsizei width = 0, height = 0;
-  std::vector<std::uint32_t> readers;  ///< Shapes some program of which reads it.
-  bool read_by_screen = false;         ///< Some screen effect does.
-  bool drawn = false;
+  PackedFilter minification = PackedFilter::linear;  ///< As it is looked up.
+  std::vector<std::uint32_t> readers;                ///< Shapes some program of which reads it.
+  bool read_by_screen = false;                       ///< Some screen effect does.
+  std::uint64_t times_drawn = 0;                     ///< What was made of it at another count may be out of date.
   bool being_drawn = false;  ///< What reads it meanwhile sees what it held before, if there is a `next`, else white.
 };
 

@@ -30,6 +30,7 @@ struct ShadowMap {
   std::vector<float> drawn_with;     ///< Every number that its content came from.
   TightFit fit;                      ///< Made for these:
   std::uint64_t fitted_revision = 0;
+  std::uint64_t fitted_drawings = 0;  ///< Of the textures that the scene draws for itself.
   View fitted_camera;
   FitMemory memory;
   glm::dvec2 shift{0};  ///< Texels that it is moved under the scene: measurements average over several.

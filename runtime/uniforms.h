@@ -15,8 +15,8 @@ struct UniformInputs {
   const Slots& slots;
   const World& world;
   const View& view;
-  std::span<const View> shadow_views;     ///< One per shadow map of the scene.
-  const View* depth_pass_view = nullptr;  ///< Set in a depth pass: the map being drawn.
+  std::span<const View> shadow_views = {};  ///< One per shadow map of the scene; none in a depth pass.
+  const View* depth_pass_view = nullptr;    ///< Set in a depth pass: the map being drawn.
   glm::dmat4 object_to_world{1.0};
   glm::dvec4 depth_range{0};             ///< PackedSource::depth_pass_range.
   std::int32_t bound_viewpoint = -1;     ///< Through which `view` looks; -1: it is none of the scene's.

@@ -30,13 +30,24 @@ void append(std::vector<float>& numbers, const glm::dmat4& matrix) {
 /// That floats tell apart.
 constexpr std::uint32_t kVersions = 1U << 24;
 
-/// Of one caster: what draw_shape will set.
+/// How often the scene has drawn the textures that casters may read.
+std::uint64_t drawings(const LoadedScene& scene) {
+  std::uint64_t count = 0;
+  for (const RenderedTexture& made : scene.rendered_textures) count += made.times_drawn;
+  return count;
+}
+
+/// Of one caster: what draw_shape will set, but for the depth range of the pass.
 void append_caster(std::vector<float>& numbers, const LoadedScene& scene, const View& light, std::uint32_t index) {
   const ShapePrograms use = scene.programs_of(index);
   const std::int32_t program = depth_program(use, light.all_around);
   const auto& uniforms = *scene.package->programs()->Get(static_cast<std::uint32_t>(program))->uniforms();
-  const UniformInputs inputs{
-      *scene.packed, scene.slots, scene.world, light, {}, &light, scene.world.at(scene.shape(index).transform()).matrix};
+  const UniformInputs inputs{.scene = *scene.packed,
+                             .slots = scene.slots,
+                             .world = scene.world,
+                             .view = light,
+                             .depth_pass_view = &light,
+                             .object_to_world = scene.world.at(scene.shape(index).transform()).matrix};
   numbers.push_back(static_cast<float>(index));
   numbers.push_back(static_cast<float>(program));
   if (const LiveMesh* const live = scene.live_meshes.find(scene.shape(index).mesh()))
@@ -45,6 +56,8 @@ void append_caster(std::vector<float>& numbers, const LoadedScene& scene, const 
     const PackedUniform& uniform = *uniforms.Get(binding->uniform());
     const std::vector<float> values = evaluate(*binding, uniform.type(), uniform.count(), inputs);
     numbers.insert(numbers.end(), values.begin(), values.end());
+    if (binding->source() == PackedSource::rendered_texture)
+      numbers.push_back(static_cast<float>(scene.rendered_textures[binding->a()].times_drawn % kVersions));
   }
 }
 
@@ -99,6 +112,7 @@ void fit(LoadedScene& scene, std::uint32_t index, const View* camera, Messages& 
   map.fit = map.reversed ? fit_tightly(light, input, map.memory) : TightFit{fit_light(light, input), matters};
   map.read_faces = find_read_faces(map, input);
   map.fitted_revision = scene.slots.revision();
+  map.fitted_drawings = drawings(scene);
 }
 
 /// Never drawn: only where its light looks from matters.
@@ -120,7 +134,8 @@ bool update_shadow_map(LoadedScene& scene, std::uint32_t index, const View& came
   if (!map.in_use) return false;
   const bool follows = packed.update() == PackedShadowUpdate::always;
   const bool drawn = map.drawn_revision != 0;
-  const bool stale = map.fitted_revision != scene.slots.revision() || !same_view(map.fitted_camera, camera);
+  const bool stale = map.fitted_revision != scene.slots.revision() || map.fitted_drawings != drawings(scene) ||
+                     !same_view(map.fitted_camera, camera);
   if (!drawn || (follows && stale)) {
     fit(scene, index, follows && !camera.all_around ? &camera : nullptr, messages);
     map.fitted_camera = camera;

@@ -331,5 +331,42 @@ TEST(Context, ComesFromEglToo) {
   EXPECT_GE(functions.GetError(), 0U);
 }
 
+/// The caster is moved by a texture that the scene draws: nothing but its content changes.
+TEST(Shadow, FollowsWhatIsDrawnIntoATextureThatMovesItsCaster) {
+  ShadowScene scene(PackedLightKind::directional, 64);
+  SceneBuilder& builder = scene.builder;
+  const std::uint32_t waves = builder.own_scene_texture(4);
+  const std::uint32_t water = builder.flat_shape(builder.square(1), builder.flat_program(), {0, 0, 0, 1});
+  builder.shape(water).own_scene_of = static_cast<std::int32_t>(waves);
+  const std::uint32_t color = builder.shape(water).bindings[1].a();
+  builder.shape(scene.caster).depth_program = static_cast<std::int32_t>(
+      builder.program("#version 330 core\n"
+                      "in vec3 castle_Vertex;\n"
+                      "uniform mat4 to_clip;\n"
+                      "uniform sampler2D waves;\n"
+                      "void main() {\n"
+                      "  vec3 moved = castle_Vertex + vec3(2.0 * textureLod(waves, vec2(0.5), 0.0).r, 0.0, 0.0);\n"
+                      "  gl_Position = to_clip * vec4(moved, 1.0);\n"
+                      "}\n",
+                      "#version 330 core\n"
+                      "void main() {}\n",
+                      {{"to_clip", PackedUniformType::mat4}, {"waves", PackedUniformType::sampler2D}}));
+  builder.shape(scene.caster).depth_bindings.emplace_back(1, waves, 0, 1.0F, PackedSource::rendered_texture);
+  SceneBuilder::add_uniform(*builder.package.programs[builder.shape(scene.caster).program],
+                            {"waves", PackedUniformType::sampler2D});
+  builder.shape(scene.caster).bindings.emplace_back(2, waves, 0, 1.0F, PackedSource::rendered_texture);
+  builder.shape(scene.caster).bounds_known = false;
+  const LoadedPackage loaded = builder.pack();
+  const auto renderer = make_renderer(loaded);
+  Picture picture = renderer->draw(frame());
+  EXPECT_EQ(at(picture, 0, 0), kBlack);
+  EXPECT_EQ(at(picture, 2.5, 0), kWhite);
+  renderer->set_slot(color, {1, 0, 0, 1});
+  picture = renderer->draw(frame());
+  EXPECT_EQ(at(picture, 0, 0), kWhite);
+  EXPECT_EQ(at(picture, 2.5, 0), kBlack);
+  EXPECT_TRUE(renderer->messages().empty());
+}
+
 }  // namespace
 }  // namespace plugc

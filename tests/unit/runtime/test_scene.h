@@ -79,15 +79,17 @@ class SceneBuilder {
     packed->targets.push_back(std::make_unique<PackedTargetProgramT>());
     add_stage(*packed->targets[0], PackedStageKind::vertex, vertex);
     add_stage(*packed->targets[0], PackedStageKind::fragment, fragment);
-    for (const Uniform& uniform : uniforms) {
-      packed->uniforms.push_back(std::make_unique<PackedUniformT>());
-      packed->uniforms.back()->name = uniform.name;
-      packed->uniforms.back()->type = uniform.type;
-    }
+    for (const Uniform& uniform : uniforms) add_uniform(*packed, uniform);
     packed->attributes.push_back(std::make_unique<PackedAttributeT>());
     packed->attributes[0]->name = "castle_Vertex";
     package.programs.push_back(std::move(packed));
     return static_cast<std::uint32_t>(package.programs.size() - 1);
+  }
+
+  static void add_uniform(PackedProgramT& program, const Uniform& uniform) {
+    program.uniforms.push_back(std::make_unique<PackedUniformT>());
+    program.uniforms.back()->name = uniform.name;
+    program.uniforms.back()->type = uniform.type;
   }
 
   /// One colour, set by binding 1 of the shape.
@@ -203,6 +205,17 @@ class SceneBuilder {
     map.scale = number(0);
     map.bias = number(0);
     return static_cast<std::uint32_t>(scene().shadow_maps.size() - 1);
+  }
+
+  /// A texture that shows a scene of its own, drawn anew in each frame.
+  std::uint32_t own_scene_texture(std::uint32_t side) {
+    scene().rendered_textures.push_back(std::make_unique<PackedRenderedTextureT>());
+    PackedRenderedTextureT& texture = *scene().rendered_textures.back();
+    texture.width = texture.height = side;
+    texture.update = PackedShadowUpdate::always;
+    texture.own_scene = true;
+    texture.minification = PackedFilter::nearest;
+    return static_cast<std::uint32_t>(scene().rendered_textures.size() - 1);
   }
 
   /// Looks from +z at the square of that half side around the origin, so that pictures have no perspective.
