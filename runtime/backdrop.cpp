@@ -24,7 +24,7 @@ View backdrop_view(const View& camera) {
 
 std::uint32_t draw_backdrop(const gl::Functions& gl, LoadedScene& scene, Pass& pass, std::int32_t of, Messages& messages) {
   const View view = backdrop_view(pass.view);
-  Pass around{view, false, pass.shadows, pass.shadow_views, {}};
+  Pass around{.view = view, .shadows = pass.shadows, .shadow_views = pass.shadow_views};
   around.bound_viewpoint = pass.bound_viewpoint;
   around.target_size = pass.target_size;
   std::uint32_t drawn = 0;

@@ -13,15 +13,15 @@ namespace plugc {
 /// A pass seen from `view`.
 struct Pass {
   const View& view;
-  bool depth_only = false;            ///< A light's depth map: its view is `view`, and nothing reads a shadow map.
-  bool shadows = true;                ///< False: shadow maps are read as lit.
-  std::vector<View> shadow_views;     ///< One per shadow map.
-  std::set<std::uint32_t> programs;   ///< Used so far.
-  bool of_point_light = false;        ///< A depth map all of whose depths are distances to a point light.
-  glm::dvec4 depth_range{0};          ///< Of such a pass: PackedSource::depth_pass_range.
-  std::int32_t bound_viewpoint = -1;  ///< Through which `view` looks; -1: through none of the scene's.
-  glm::dvec2 target_size{1};          ///< Width and height of what is drawn into, in pixels.
-  const View* wearer = nullptr;       ///< Who wears the headlight; null: `view`.
+  bool depth_only = false;                ///< A light's depth map: its view is `view`, and nothing reads a shadow map.
+  bool shadows = true;                    ///< False: shadow maps are read as lit.
+  std::vector<View> shadow_views = {};    ///< One per shadow map; none in a depth pass.
+  std::set<std::uint32_t> programs = {};  ///< Used so far.
+  bool of_point_light = false;            ///< A depth map all of whose depths are distances to a point light.
+  glm::dvec4 depth_range{0};              ///< Of such a pass: PackedSource::depth_pass_range.
+  std::int32_t bound_viewpoint = -1;      ///< Through which `view` looks; -1: through none of the scene's.
+  glm::dvec2 target_size{1};              ///< Width and height of what is drawn into, in pixels.
+  const View* wearer = nullptr;           ///< Who wears the headlight; null: `view`.
 };
 
 /// Draws over the whole target that is bound, with a program of its own: over a shadow map in a depth pass, over the picture in

@@ -21,8 +21,8 @@ std::array<float, 3> background_of(const LoadedScene& scene, std::uint32_t slot)
 
 }  // namespace
 
-Pass color_pass(const Frame& frame, const SceneView& view) {
-  Pass pass{view.camera, false, frame.options.shadows, {}, {}};
+Pass color_pass(const Frame& frame, const FrameTarget& target, const SceneView& view) {
+  Pass pass{.view = view.camera, .shadows = frame.options.shadows};
   for (const ShadowMap& map : frame.scene.shadow_maps) {
     pass.shadow_views.push_back(map.view);
     if (!frame.options.shadows || !map.in_use)

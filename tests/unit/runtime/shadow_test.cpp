@@ -368,5 +368,32 @@ TEST(Shadow, FollowsWhatIsDrawnIntoATextureThatMovesItsCaster) {
   EXPECT_TRUE(renderer->messages().empty());
 }
 
+/// What was never made of its depths is not read.
+TEST(Shadow, IsNoneWhereTheDriverRejectsWhatMakesMoments) {
+  ShadowScene scene(PackedLightKind::directional, 64);
+  SceneBuilder& builder = scene.builder;
+  PackedShadowMapT& map = builder.shadow_map(scene.map);
+  map.method = PackedShadowMethod::vsm;
+  map.moments_program = static_cast<std::int32_t>(builder.program("no shader", "no shader", {}));
+  map.blur_program = map.moments_program;
+  builder.shape(scene.receiver).program = builder.program(
+      "#version 330 core\n"
+      "in vec3 castle_Vertex;\n"
+      "uniform mat4 to_eye, projection;\n"
+      "void main() { gl_Position = projection * to_eye * vec4(castle_Vertex, 1.0); }\n",
+      "#version 330 core\n"
+      "uniform sampler2D moments;\n"
+      "out vec4 castle_FragColor;\n"
+      "void main() { castle_FragColor = texture(moments, vec2(0.5)); }\n",
+      {{"to_eye", PackedUniformType::mat4},
+       {"projection", PackedUniformType::mat4},
+       {"unused", PackedUniformType::mat4},
+       {"moments", PackedUniformType::sampler2D}});
+  builder.shape(scene.receiver).bindings[3] = PackedBinding(3, scene.map, 0, 1, PackedSource::shadow_moments);
+  const LoadedPackage loaded = builder.pack();
+  const auto renderer = make_renderer(loaded);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(at(renderer->draw(frame()), 0, 0), kWhite) << "frame " << i;
+}
+
 }  // namespace
 }  // namespace plugc
