@@ -157,7 +157,7 @@ const gl::VertexArray* vertex_array_of(const gl::Functions& functions, LoadedSce
   const auto* bindings = shape.projected_coords();
   if (bindings == nullptr || bindings->size() == 0 || pass.depth_only)
     return scene.resources.custom_attributes(shape.mesh(), program);
-  ProjectedCoords& coords = scene.projected_coords[index];
+  ProjectedCoords& coords = scene.projected_coords[{index, program}];
   update_projected_coords(functions, scene.resources.mesh(shape.mesh()), *scene.package->meshes()->Get(shape.mesh()),
                           scene.live_meshes.find(shape.mesh()), *bindings,
                           *scene.package->programs()->Get(program)->attributes(), inputs, coords);

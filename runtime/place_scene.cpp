@@ -5,11 +5,10 @@ namespace {
 
 /// Notes which slots placing reads.
 void place_anew(LoadedScene& scene, const Viewer* viewer) {
-  const Box framed = scene.world.framed;
   scene.slots.set_watching(true);
   scene.world = place(*scene.package, *scene.packed, scene.slots, viewer, scene.placed_scene, &scene.live_meshes);
   scene.slots.set_watching(false);
-  scene.world.framed = framed;
+  if (scene.placed_scene < 0) scene.world.framed = scene.framed;
 }
 
 }  // namespace

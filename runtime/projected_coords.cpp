@@ -34,7 +34,7 @@ void make_streams(const gl::Functions& functions, const gl::Mesh& mesh, const Pa
                   ProjectedCoords& coords) {
   for (const PackedBinding* binding : bindings)
     coords.streams.push_back({PackedSemantic::tex_coord, binding->uniform(), gl::make_stream_buffer(functions)});
-  coords.matrices.assign(coords.streams.size(), glm::dmat4(0.0));
+  coords.matrices.resize(coords.streams.size());
   coords.vertex_array = gl::make_vertex_array(functions, mesh, packed, coords.streams, attributes);
 }
 
@@ -49,7 +49,7 @@ void update_projected_coords(const gl::Functions& functions, const gl::Mesh& mes
   for (std::size_t i = 0; i < coords.streams.size(); ++i) {
     const glm::dmat4 to_coords =
         projector_matrix(*bindings.Get(static_cast<std::uint32_t>(i)), inputs) * inputs.object_to_world;
-    if (same_vertices && to_coords == coords.matrices[i]) continue;
+    if (same_vertices && coords.matrices[i] == to_coords) continue;
     gl::write_stream(functions, coords.streams[i].buffer, project(packed, vertex_bytes(packed, live), to_coords));
     coords.matrices[i] = to_coords;
   }

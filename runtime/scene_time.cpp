@@ -119,7 +119,7 @@ View reach_time(LoadedScene& scene, double time, const std::string& wanted, cons
   const std::int32_t viewpoint = bound_viewpoint(*scene.packed, scene.slots, wanted);
   if (viewpoint < 0 && (scene.events.time < 0 || !scene.events.unheard.empty())) {
     place_scene(scene);
-    scene.world.framed = scene.world.bounds;
+    scene.framed = scene.world.framed = scene.world.bounds;
   }
   const bool from_the_start = scene.events.time < 0 || time < scene.events.time;
   if (from_the_start && time > 0) reach_moment(scene, 0, wanted, look);
