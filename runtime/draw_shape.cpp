@@ -171,7 +171,6 @@ UniformInputs uniform_inputs(const LoadedScene& scene, const Pass& pass, const g
   inputs.object_to_world = object_to_world;
   inputs.depth_range = pass.depth_range;
   inputs.bound_viewpoint = pass.bound_viewpoint;
-  inputs.screen_size = {scene.screen.width, scene.screen.height};
   inputs.wearer = pass.wearer;
   inputs.target_size = pass.target_size;
   inputs.mirror = mirror;

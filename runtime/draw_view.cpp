@@ -30,6 +30,7 @@ Pass color_pass(const Frame& frame, const FrameTarget& target, const SceneView& 
   }
   pass.bound_viewpoint = view.viewpoint;
   pass.wearer = view.wearer;
+  pass.target_size = {target.width, target.height};
   return pass;
 }
 
@@ -39,10 +40,9 @@ void draw_view(Frame& frame, const FrameTarget& target, const SceneView& view) {
     draw_shadow_maps(frame, view.shadow_camera);
     trace_shadows(frame.gl, frame.scene, view.camera, view.clips_near, target.width, target.height, frame.messages);
   }
-  Pass pass = color_pass(frame, view);
+  Pass pass = color_pass(frame, target, view);
   gl::begin_color_pass(frame.gl, target.framebuffer, target.width, target.height,
                        background_of(frame.scene, view.background_color));
-  pass.target_size = {target.width, target.height};
   frame.statistics.draw_calls += draw_backdrop(frame.gl, frame.scene, pass, view.backdrop_of, frame.messages);
   if (view.clips_near) gl::clip_depth(frame.gl, true);
   for (const std::uint32_t shape : draw_order(frame.scene, view.camera)) {

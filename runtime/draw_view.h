@@ -20,7 +20,7 @@ struct SceneView {
 /// Draws the shadow maps that are out of date for the view, then the view, which `scene.world` must be placed for.
 void draw_view(Frame& frame, const FrameTarget& target, const SceneView& view);
 
-/// The pass of that view, with the shadow maps as they are now.
-Pass color_pass(const Frame& frame, const SceneView& view);
+/// The pass of that view into that target, with the shadow maps as they are now.
+Pass color_pass(const Frame& frame, const FrameTarget& target, const SceneView& view);
 
 }  // namespace plugc

@@ -208,8 +208,8 @@ Numbers source_numbers(const PackedBinding& binding, const Wanted& wanted, const
     case PackedSource::color_and_transparency:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), 1.0 - inputs.slots.number(binding.b(), 0)));
     case PackedSource::depth_pass_range: return numbers(inputs.depth_range);
-    case PackedSource::screen_width: return {static_cast<double>(inputs.screen_size.x)};
-    case PackedSource::screen_height: return {static_cast<double>(inputs.screen_size.y)};
+    case PackedSource::screen_width: return {inputs.target_size.x};
+    case PackedSource::screen_height: return {inputs.target_size.y};
     case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
     case PackedSource::clip_plane: return numbers(eye_clip_plane(*inputs.scene.clip_planes()->Get(binding.a()), inputs));
     case PackedSource::target_size: return {inputs.target_size.x, inputs.target_size.y};

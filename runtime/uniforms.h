@@ -21,7 +21,6 @@ struct UniformInputs {
   glm::dvec4 depth_range{0};             ///< PackedSource::depth_pass_range.
   std::int32_t bound_viewpoint = -1;     ///< Through which `view` looks; -1: it is none of the scene's.
   glm::dvec2 target_size{1};             ///< PackedSource::target_size.
-  glm::ivec2 screen_size{0};             ///< Of the picture that a screen effect changes.
   const View* wearer = nullptr;          ///< Who wears the headlight, and whom mirrors serve; null: `view`.
   const PackedWindow* mirror = nullptr;  ///< Of the shape.
 };
