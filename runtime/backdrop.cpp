@@ -8,15 +8,10 @@
 
 namespace plugc {
 
-glm::dmat4 rotation_of(const glm::dmat4& matrix) {
-  return look_along(glm::dvec3(0), -glm::dvec3(matrix[2]), glm::dvec3(matrix[1])).eye_to_world;
-}
-
 View backdrop_view(const View& camera) {
   View view = camera;
   view.world_to_eye[3] = view.eye_to_world[3] = glm::dvec4(0, 0, 0, 1);
-  const bool orthographic = camera.projection[3][3] == 1.0;
-  if (!orthographic) return view;
+  if (!is_orthographic(camera)) return view;
   constexpr double kNear = 0.1, kFar = 10;  // any will do
   view.projection = perspective(kDefaultFieldOfView, camera.projection[1][1] / camera.projection[0][0], kNear, kFar);
   return view;

@@ -146,6 +146,14 @@ View look_along(const glm::dvec3& position, const glm::dvec3& direction, const g
   return view;
 }
 
+bool is_orthographic(const View& view) {
+  return view.projection[3][3] == 1.0;
+}
+
+glm::dmat3 rotation_of(const glm::dmat4& matrix) {
+  return glm::dmat3(look_along(glm::dvec3(0), -glm::dvec3(matrix[2]), glm::dvec3(matrix[1])).eye_to_world);
+}
+
 View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World& world, double aspect) {
   const glm::dmat4& place = world.at(viewpoint.transform()).matrix;
   const glm::dmat3 axes = glm::dmat3(place) * glm::dmat3(rotation_matrix(slots.vector4(viewpoint.orientation(), {0, 0, 1, 0})));

@@ -10,7 +10,6 @@
 #include <tuple>
 #include <utility>
 
-#include "runtime/backdrop.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/program.h"
 #include "runtime/uniforms.h"
@@ -145,8 +144,7 @@ void apply_bindings(const gl::Functions& gl, LoadedScene& scene, const Pass& pas
 double distance_from_eye(const Box& bounds, const View& view) {
   if (bounds.empty()) return 0;
   const glm::dvec3 seen(view.world_to_eye * glm::dvec4(bounds.center(), 1));
-  const bool orthographic = view.projection[3][3] == 1.0;
-  return orthographic ? -seen.z : glm::length(seen);
+  return is_orthographic(view) ? -seen.z : glm::length(seen);
 }
 
 /// Null for the mesh's own: no coordinates are projected before the vertex shader, or, in a depth pass, none are read; and the
@@ -208,7 +206,8 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   if (!program.program) return false;
   gl::use_program(functions, program.program);
   const glm::dmat4& placed = scene.world.at(shape.transform()).matrix;
-  const glm::dmat4 object_to_world = shape.layer() == PackedLayer::backdrop ? rotation_of(placed) : placed;
+  const bool turns_only = shape.layer() == PackedLayer::backdrop;  // X3D 4.1, 24.2.1
+  const glm::dmat4 object_to_world = turns_only ? glm::dmat4(rotation_of(placed)) : placed;
   const UniformInputs inputs = uniform_inputs(scene, pass, object_to_world, shape.mirror());
   apply_bindings(functions, scene, pass, program, bindings_in(use, pass), inputs, messages);
   if (!pass.depth_only) gl::set_draw_state(functions, draw_state_of(shape, scene.slots, object_to_world));

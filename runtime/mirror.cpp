@@ -18,10 +18,6 @@ constexpr double kEdgeOn = 1e-9;        // the least sine of the angle between a
 constexpr double kNearestShare = 1e-6;  // of the image's distance: some near plane a perspective must have
 constexpr double kMargin = 1.01;
 
-bool is_orthographic(const View& view) {
-  return view.projection[3][3] == 1.0;
-}
-
 /// Of unit length, on the viewer's side.
 std::optional<glm::dvec3> normal_to_viewer(const Mirror& mirror, const View& viewer) {
   const glm::dvec3 across = glm::cross(mirror.right, mirror.up);

@@ -4,7 +4,6 @@
 #include "runtime/scene_time.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -29,17 +28,6 @@ std::vector<double> axis_and_angle(const glm::dmat3& rotation) {
   const glm::dquat q = glm::normalize(glm::quat_cast(rotation));
   const glm::dvec3 axis = glm::axis(q);
   return {axis.x, axis.y, axis.z, glm::angle(q)};
-}
-
-/// Without its scale; one that is flat turns nothing.
-glm::dmat3 rotation_of(const glm::dmat4& matrix) {
-  glm::dmat3 rotation(matrix);
-  for (int i = 0; i < 3; ++i) {
-    const double length = glm::length(rotation[i]);
-    if (!(length > 0) || !std::isfinite(length)) return glm::dmat3(1.0);
-    rotation[i] /= length;
-  }
-  return rotation;
 }
 
 /// Adds the event unless the slot holds that value and was told so before.

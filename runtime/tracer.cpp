@@ -166,7 +166,7 @@ LightSource light_source(const PackedScene& scene, const PackedShadowMap& map, c
   const glm::dmat4& place = world.at(packed.transform()).matrix;
   LightSource source;
   source.directional = packed.kind() == PackedLightKind::directional;
-  source.towards = -glm::normalize(glm::dmat3(place) * slots.vector3(packed.direction(), {0, 0, -1}));
+  source.towards = -light_direction(packed, place, slots);
   source.place = glm::dvec3(place * glm::dvec4(slots.vector3(packed.location(), glm::dvec3(0)), 1));
   Messages said_by_the_map;
   if (packed.kind() == PackedLightKind::point) source.near = light_frame(scene, map, slots, world, said_by_the_map).near;

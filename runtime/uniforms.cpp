@@ -30,36 +30,30 @@ Numbers numbers(const glm::dmat4& m) {
   return {&m[0][0], &m[0][0] + 16};
 }
 
-glm::dvec3 unit(const glm::dvec3& vector) {
-  const double length = glm::length(vector);
-  return length > 0 && std::isfinite(length) ? vector / length : glm::dvec3(0, 0, -1);
-}
-
 /// A light in the space of the eye. Defaults: X3D 4.1, 17.4.
 struct EyeLight {
   const PackedLight& light;
   const Slots& slots;
   glm::dmat4 to_eye;
+  glm::dvec3 travel;  ///< Its direction; unit.
   bool shines;
 };
 
 EyeLight eye_light(std::uint32_t index, const UniformInputs& inputs) {
   const PackedLight& light = *inputs.scene.lights()->Get(index);
-  const bool on_eye = light.headlight() && inputs.wearer == nullptr;
-  const glm::dmat4& to_world =
-      light.headlight() && !on_eye ? inputs.wearer->eye_to_world : inputs.world.at(light.transform()).matrix;
-  return {light, inputs.slots, on_eye ? glm::dmat4(1.0) : inputs.view.world_to_eye * to_world,
+  const bool on_eye = light.headlight() && inputs.wearer == nullptr;  // eye space is its world, then
+  const glm::dmat4 world_to_eye = on_eye ? glm::dmat4(1.0) : inputs.view.world_to_eye;
+  const glm::dmat4 to_world = on_eye              ? glm::dmat4(1.0)
+                              : light.headlight() ? inputs.wearer->eye_to_world
+                                                  : inputs.world.at(light.transform()).matrix;
+  return {light, inputs.slots, world_to_eye * to_world,
+          glm::dmat3(world_to_eye) * light_direction(light, to_world, inputs.slots),
           light_shines(light, inputs.slots, inputs.world)};
-}
-
-/// Direction of travel; unit.
-glm::dvec3 travel(const EyeLight& l) {
-  return unit(glm::dmat3(l.to_eye) * l.slots.vector3(l.light.direction(), {0, 0, -1}));
 }
 
 /// Homogeneous: w is 0 for a directional light, whose position is the direction towards it.
 glm::dvec4 position(const EyeLight& l) {
-  if (l.light.kind() == PackedLightKind::directional) return {-travel(l), 0.0};
+  if (l.light.kind() == PackedLightKind::directional) return {-l.travel, 0.0};
   return l.to_eye * glm::dvec4(l.slots.vector3(l.light.location(), glm::dvec3(0)), 1.0);
 }
 
@@ -75,7 +69,7 @@ Numbers light_numbers(const PackedBinding& binding, const UniformInputs& inputs)
   const EyeLight l = eye_light(binding.a(), inputs);
   switch (binding.source()) {
     case PackedSource::light_position: return numbers(position(l));
-    case PackedSource::light_spot_direction: return numbers(glm::dvec4(travel(l), 0.0));
+    case PackedSource::light_spot_direction: return numbers(glm::dvec4(l.travel, 0.0));
     case PackedSource::light_spot_cos_cutoff: return {std::cos(cut_off_angle(l))};
     case PackedSource::light_on: return {l.shines ? 1.0 : 0.0};
     case PackedSource::light_spot_cutoff: return {cut_off_angle(l)};

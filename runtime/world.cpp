@@ -120,6 +120,11 @@ bool light_shines(const PackedLight& light, const Slots& slots, const World& wor
   return world.at(light.transform()).visible && slots.boolean(light.on(), true);
 }
 
+glm::dvec3 light_direction(const PackedLight& light, const glm::dmat4& to_world, const Slots& slots) {
+  const glm::dvec3 direction = glm::dmat3(to_world) * slots.vector3(light.direction(), {0, 0, -1});
+  return -glm::dvec3(look_along(glm::dvec3(0), direction, {0, 1, 0}).eye_to_world[2]);
+}
+
 double shadow_intensity(std::uint32_t slot, const Slots& slots) {
   const double written = slots.number(slot, 1);
   return written >= 0 ? std::min(written, 1.0) : 0;  // not a number: none

@@ -56,6 +56,10 @@ bool depends_on_viewer(const PackedScene& scene);
 /// Whether the light is on, and in no branch that a Switch has not chosen.
 bool light_shines(const PackedLight& light, const Slots& slots, const World& world);
 
+/// The way that the light shines where it stands at `to_world`: in world space, of unit length. Where it has no direction, -z
+/// as in look_along().
+glm::dvec3 light_direction(const PackedLight& light, const glm::dmat4& to_world, const Slots& slots);
+
 /// How much of the light a shadow takes away: the field `shadowIntensity`, cut to 0 to 1.
 double shadow_intensity(std::uint32_t slot, const Slots& slots);
 
@@ -84,6 +88,11 @@ struct View {
 /// unusable one is replaced (direction by -z, up by whatever is orthogonal).
 View look_along(const glm::dvec3& position, const glm::dvec3& direction, const glm::dvec3& up);
 
+bool is_orthographic(const View& view);
+
+/// What a matrix turns, without what it moves, scales, shears and mirrors. Always a rotation.
+glm::dmat3 rotation_of(const glm::dmat4& matrix);
+
 /// What a viewpoint sees in a picture of that shape.
 View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World& world, double aspect);
 
@@ -91,7 +100,7 @@ View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World
 /// the whole scene is looked at.
 std::int32_t bound_viewpoint(const PackedScene& scene, const Slots& slots, const std::string& wanted);
 
-/// `wanted` is a DEF name or an index from 0; unknown ones are reported and the first viewpoint taken. `aspect` is width /
+/// `wanted` is a DEF name or an index from 0; unknown ones are reported and the bound viewpoint taken. `aspect` is width /
 /// height.
 View make_camera(const PackedScene& scene, const Slots& slots, const World& world, const std::string& wanted, double aspect,
                  Messages& messages);

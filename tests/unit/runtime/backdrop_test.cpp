@@ -12,22 +12,8 @@ using test::make_renderer;
 using test::pixel;
 using test::SceneBuilder;
 
-constexpr double kHalfPi = std::numbers::pi / 2;
-
 void expect_near(const glm::dvec3& actual, const glm::dvec3& expected) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(actual[axis], expected[axis], 1e-12);
-}
-
-glm::dvec3 turned(const glm::dmat4& matrix, const glm::dvec3& direction) {
-  return glm::dmat3(matrix) * direction;
-}
-
-TEST(Backdrop, TakesTheRotationOfATransformAlone) {
-  const glm::dmat4 matrix = transform_matrix({7, 8, 9}, {0, 1, 0, kHalfPi}, {2, 30, 0.1}, {0, 0, 1, 0}, {1, 2, 3});
-  const glm::dmat4 rotation = rotation_of(matrix);
-  expect_near(turned(rotation, {0, 0, 1}), {1, 0, 0});
-  expect_near(turned(rotation, {0, 1, 0}), {0, 1, 0});
-  expect_near(glm::dvec3(rotation[3]), {0, 0, 0});
 }
 
 TEST(Backdrop, IsSeenFromTheOrigin) {

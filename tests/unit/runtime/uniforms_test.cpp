@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "runtime/projection.h"
+#include "runtime/tracer.h"
 #include "test_scene.h"
 
 namespace plugc {
@@ -103,6 +104,20 @@ TEST(Uniforms, PutLightsIntoEyeSpace) {
   expect_near(seen.value(PackedSource::light_beam_width, PackedUniformType::float_, spot), {0.25F});
   expect_near(seen.value(PackedSource::light_radius, PackedUniformType::float_, spot), {30});
   expect_near(seen.value(PackedSource::light_attenuation, PackedUniformType::vec3, spot), {1, 0.5F, 0.25F});
+}
+
+/// As its shadow map and its rays have it: no camera turns it.
+TEST(Uniforms, ALightWithoutADirectionShinesAlongMinusZOfTheWorld) {
+  SceneBuilder builder;
+  const std::uint32_t sun = builder.add_light(PackedLightKind::directional, "Sun");
+  builder.light(sun).direction = builder.vec3(0, 0, 0);
+  builder.add_shadow_map(sun, 16);
+  Seen seen(builder);
+  seen.view = look_along({5, 6, 7}, {1, 0, 0}, {0, 1, 0});
+  expect_near(seen.value(PackedSource::light_position, PackedUniformType::vec4, sun), {1, 0, 0, 0});
+  expect_near(seen.value(PackedSource::light_spot_direction, PackedUniformType::vec3, sun), {-1, 0, 0});
+  const PackedShadowMap& map = *seen.scene.shadow_maps()->Get(0);
+  EXPECT_EQ(light_source(seen.scene, map, seen.slots, seen.world).towards, glm::dvec3(0, 0, 1));
 }
 
 TEST(Uniforms, HangHeadlightsOnTheCamera) {

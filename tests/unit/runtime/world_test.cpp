@@ -53,6 +53,22 @@ TEST(World, PlacesChildrenInTheirParents) {
   expect_near(apply(world.at(-1).matrix, {1, 1, 1}), {1, 1, 1});
 }
 
+TEST(World, RotationOfAMatrixIsWhatItTurnsAlone) {
+  const glm::dmat4 matrix = transform_matrix({7, 8, 9}, {0, 1, 0, kHalfPi}, {2, 30, 0.1}, {0, 0, 1, 0}, {1, 2, 3});
+  expect_near(rotation_of(matrix) * glm::dvec3(0, 0, 1), {1, 0, 0});
+  expect_near(rotation_of(matrix) * glm::dvec3(0, 1, 0), {0, 1, 0});
+}
+
+TEST(World, RotationOfAMirroredOrShearedMatrixIsStillARotation) {
+  const glm::dmat4 mirrored = transform_matrix({0, 0, 0}, {0, 0, 1, 0}, {-1, 1, 1}, {0, 0, 1, 0}, {0, 0, 0});
+  const glm::dmat4 sheared = transform_matrix({0, 0, 0}, {0, 0, 1, 0}, {1, 5, 1}, {1, 0, 1, 1}, {0, 0, 0});
+  for (const glm::dmat4& matrix : {mirrored, sheared, glm::dmat4(0.0)}) {
+    const glm::dmat3 rotation = rotation_of(matrix);
+    EXPECT_NEAR(glm::determinant(rotation), 1, 1e-12);
+    expect_near(glm::transpose(rotation) * (rotation * glm::dvec3(1, 2, 3)), {1, 2, 3});
+  }
+}
+
 TEST(World, HidesWhatASwitchDoesNotChoose) {
   SceneBuilder builder;
   const std::uint32_t which = builder.slot(PackedValueType::int_, {1});
