@@ -287,8 +287,8 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   prepare_effect_code(parts.scene, prepared, diagnostics);
   mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);
   mark_maps_of_other_light(prepared.effects, parts.scene);
-  replace_untraceable_maps(graph, prepared.effects, parts.scene, diagnostics);
   const std::vector<AlphaUse> alpha = prepare_alpha(parts);
+  replace_untraceable_maps(graph, prepared.effects, alpha, parts, diagnostics);
   parts.blended_shapes_cast = has_shadow_volumes(graph, parts.scene);
   if (purpose != PreparedFor::library) drop_impossible_shadows(prepared.effects, parts);
   prepare_recipes(prepared, alpha);

@@ -42,29 +42,34 @@ bool adds_light(const EffectCode& code) {
 }
 
 /// Why a map cannot be traced; empty when it can.
-std::string obstacle(const SceneShadowMap& map, const std::vector<EffectCode>& effects, const Scene& scene) {
+std::string obstacle(const SceneShadowMap& map, const std::vector<EffectCode>& effects, const std::vector<AlphaUse>& alpha,
+                     const SceneParts& parts) {
   if (map.author_visible) return "its map is looked into";
-  for (const SceneShape& shape : scene.shapes) {
+  const Scene& scene = parts.scene;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    const SceneShape& shape = scene.shapes[i];
     const bool shows = std::ranges::find(shape.receives, map.light, &ReceivedShadow::light) != shape.receives.end();
     if ((shape.casts_shadow || shows) && may_move_vertices(scene, shape, effects))
       return fmt::format("a shader may move the vertices of `{}`", shape.name);
     if ((shape.casts_shadow || shows) && !shape.clip_planes.empty()) return fmt::format("a `ClipPlane` cuts `{}`", shape.name);
     if (may_cut_holes(scene, shape, effects)) return fmt::format("an effect cuts holes into `{}`", shape.name);
+    if (alpha[i] == AlphaUse::tested && lays_alpha_elsewhere(parts, shape))
+      return fmt::format("the texture that cuts holes into `{}` does not lie by its own texture coordinates", shape.name);
   }
   return "";
 }
 
 }  // namespace
 
-void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCode>& effects, Scene& scene,
-                              Diagnostics& diagnostics) {
-  for (SceneShadowMap& map : scene.shadow_maps) {
+void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCode>& effects,
+                              const std::vector<AlphaUse>& alpha, SceneParts& parts, Diagnostics& diagnostics) {
+  for (SceneShadowMap& map : parts.scene.shadow_maps) {
     if (map.method != ShadowMethod::traced) continue;
-    const std::string why = obstacle(map, effects, scene);
+    const std::string why = obstacle(map, effects, alpha, parts);
     if (why.empty()) continue;
     map.method = kDefaultShadowMethod;
     diagnostics.report(DiagnosticId::shadow_unsupported,
-                       graph[scene.lights[static_cast<std::size_t>(map.light)].node].type_span,
+                       graph[parts.scene.lights[static_cast<std::size_t>(map.light)].node].type_span,
                        fmt::format("this light's shadow cannot be traced: {}; it comes from a map (`{}`)", why,
                                    to_text(kDefaultShadowMethod)));
   }

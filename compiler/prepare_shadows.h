@@ -5,6 +5,8 @@
 
 #include "base/diagnostics.h"
 #include "compose/code_unit.h"
+#include "image/image.h"
+#include "package/assemble_package.h"
 #include "scene/scene.h"
 
 namespace plugc {
@@ -20,8 +22,9 @@ void mark_maps_of_other_light(const std::vector<EffectCode>& effects, Scene& sce
 
 /// Gives maps that cannot be traced the default method, and says why: an effect or a whole shader may move vertices of a shape
 /// that casts or shows the shadow, an effect may cut holes into any shape (through which another one's shadow would be seen),
-/// or the author looks into the map. After mark_author_visible_maps().
-void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCode>& effects, Scene& scene,
-                              Diagnostics& diagnostics);
+/// or its texture does where rays do not look for them, or the author looks into the map. `alpha` is by shape. After
+/// mark_author_visible_maps().
+void replace_untraceable_maps(const NodeGraph& graph, const std::vector<EffectCode>& effects,
+                              const std::vector<AlphaUse>& alpha, SceneParts& parts, Diagnostics& diagnostics);
 
 }  // namespace plugc

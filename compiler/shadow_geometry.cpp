@@ -39,4 +39,12 @@ bool may_cut_holes(const Scene& scene, const SceneShape& shape, const std::vecto
   return any_effect(scene, shape, effects, [](const EffectCode& code) { return code.discards; });
 }
 
+bool lays_alpha_elsewhere(const SceneParts& parts, const SceneShape& shape) {
+  return std::ranges::any_of(shape.textures, [&](const TextureUse& use) {
+    const auto& image = parts.images[static_cast<std::size_t>(use.texture)];
+    const bool has_alpha = image != nullptr && image->channels % 2 == 0;
+    return has_alpha && (use.unit != 0 || use.transform >= 0 || use.generator != CoordGenerator::none);
+  });
+}
+
 }  // namespace plugc

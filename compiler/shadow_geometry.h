@@ -19,4 +19,8 @@ bool may_move_vertices(const Scene& scene, const SceneShape& shape, const std::v
 /// Whether an effect may drop fragments of the shape, though its vertices are where they were.
 bool may_cut_holes(const Scene& scene, const SceneShape& shape, const std::vector<EffectCode>& effects);
 
+/// Whether a texture with alpha lies on the shape otherwise than by the first texture coordinates of its mesh as they are:
+/// where alpha is tested, rays would see its holes elsewhere.
+bool lays_alpha_elsewhere(const SceneParts& parts, const SceneShape& shape);
+
 }  // namespace plugc

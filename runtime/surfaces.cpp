@@ -108,6 +108,7 @@ std::vector<Surface> read_surfaces(const Package& package, const PackedScene& sc
       for (const glm::dvec3& corner : read_corners(vertices, PackedSemantic::tex_coord))
         surface.tex_coords.emplace_back(corner);
     }
+    if (surface.tex_coords.size() != surface.points.size()) surface.alpha_test.reset();  // there is no place to test
     surface.casts = use.casts();
     surface.may_move = !shape.bounds_known() || shape.bounds_min() != nullptr;
     surfaces.push_back(std::move(surface));

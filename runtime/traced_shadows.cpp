@@ -36,23 +36,25 @@ bool is_traced(const LoadedScene& scene, std::uint32_t map) {
   return scene.packed->shadow_maps()->Get(map)->method() == PackedShadowMethod::traced;
 }
 
-/// Everything that moves a triangle, or takes it out of the scene: equal numbers, equal geometry.
-std::vector<glm::dmat4> placement(const LoadedScene& scene) {
-  std::vector<glm::dmat4> places;
-  for (std::uint32_t i = 0; i < scene.shape_count(); ++i) {
-    const bool there = scene.world.shape_visible[i];
-    places.push_back(there ? scene.world.at(scene.shape(i).transform()).matrix : glm::dmat4(0.0));
-    places.back()[0][3] = there && scene.programs_of(i).casts() ? 1 : 0;  // of an affine matrix that is 0
-    const LiveMesh* const live = scene.live_meshes.find(scene.shape(i).mesh());
-    places.back()[1][3] = there && live != nullptr ? live->version : 0;
-  }
-  return places;
+SurfaceKey key_of(const LoadedScene& scene, std::uint32_t index) {
+  if (!scene.world.shape_visible[index]) return {};
+  const PackedShape& shape = scene.shape(index);
+  const LiveMesh* const live = scene.live_meshes.find(shape.mesh());
+  return {true, scene.world.at(shape.transform()).matrix, scene.world.shape_variant[index],
+          scene.slots.number(shape.alpha_cutoff(), 0), live == nullptr ? 0 : live->version};
+}
+
+/// Equal keys, equal geometry.
+std::vector<SurfaceKey> surface_keys(const LoadedScene& scene) {
+  std::vector<SurfaceKey> keys;
+  for (std::uint32_t i = 0; i < scene.shape_count(); ++i) keys.push_back(key_of(scene, i));
+  return keys;
 }
 
 void place_geometry(TracedShadows& traced, const LoadedScene& scene, Messages& messages) {
-  std::vector<glm::dmat4> places = placement(scene);
-  if (traced.placed && places == traced.places) return;
-  traced.places = std::move(places);
+  std::vector<SurfaceKey> keys = surface_keys(scene);
+  if (traced.placed && keys == traced.keys) return;
+  traced.keys = std::move(keys);
   traced.placed = true;
   std::vector<Surface> surfaces = read_surfaces(*scene.package, *scene.packed, scene.slots, scene.world, scene.live_meshes);
   std::string error;
@@ -94,7 +96,9 @@ std::uint8_t trace_pixel(const Tracing& tracing, int x, int y) {
   if (tracing.triangles[at] < 0) return kLit;
   const TriangleId id{static_cast<std::uint32_t>(tracing.triangles[at]), static_cast<std::uint32_t>(tracing.triangles[at + 1])};
   const auto surface = static_cast<std::size_t>(tracing.traced.surface_of[id.shape]);
-  const glm::dvec3 point = tracing.rays.on_plane(x + 0.5, y + 0.5, tracing.traced.planes[surface][id.triangle]);
+  const std::vector<Plane>& planes = tracing.traced.planes[surface];
+  if (id.triangle >= planes.size()) return kLit;  // a float rounds what is beyond 24 bits
+  const glm::dvec3 point = tracing.rays.on_plane(x + 0.5, y + 0.5, planes[id.triangle]);
   if (!std::isfinite(point.x + point.y + point.z)) return kLit;
   return tracing.traced.tracer->shadowed(point, id, tracing.light) ? 0 : kLit;
 }
@@ -115,25 +119,37 @@ std::vector<std::uint8_t> trace_picture(const Tracing& tracing) {
   return mask;
 }
 
-}  // namespace
-
-void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, bool clips_near, GLsizei width,
-                   GLsizei height, Messages& messages) {
-  std::vector<float> triangles;
+/// Those whose shadow may be seen. None is in use before it is traced.
+std::vector<std::uint32_t> maps_to_trace(LoadedScene& scene) {
+  std::vector<std::uint32_t> maps;
   for (std::uint32_t i = 0; i < scene.shadow_maps.size(); ++i) {
     if (!is_traced(scene, i)) continue;
     ShadowMap& map = scene.shadow_maps[i];
     map.in_use = false;
     const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(i);
-    if (!is_looked_into(map, scene.world) || !shadow_shows(packed, *scene.packed, scene.slots, scene.world)) continue;
-    place_geometry(scene.traced, scene, messages);
-    if (scene.traced.tracer == nullptr) continue;
-    if (triangles.empty()) {
-      if (!gl::begin_triangle_pass(gl, scene.traced.pass, width, height)) return;
-      gl::clip_depth(gl, clips_near);
-      draw_numbers(gl, scene, camera, messages);
-      triangles = gl::read_triangles(gl, scene.traced.pass);
-    }
+    const bool shows = is_looked_into(map, scene.world) && shadow_shows(packed, *scene.packed, scene.slots, scene.world);
+    if (shows) maps.push_back(i);
+  }
+  return maps;
+}
+
+}  // namespace
+
+void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, bool clips_near, GLsizei width,
+                   GLsizei height, Messages& messages) {
+  const std::vector<std::uint32_t> maps = maps_to_trace(scene);
+  if (maps.empty()) return;
+  place_geometry(scene.traced, scene, messages);
+  if (scene.traced.tracer == nullptr) return;
+  if (!gl::begin_triangle_pass(gl, scene.traced.pass, width, height)) {
+    messages.add("shadows cannot be traced at " + std::to_string(width) + " by " + std::to_string(height) + ", so all is lit");
+    return;
+  }
+  gl::clip_depth(gl, clips_near);
+  draw_numbers(gl, scene, camera, messages);
+  const std::vector<float> triangles = gl::read_triangles(gl, scene.traced.pass);
+  for (const std::uint32_t index : maps) {
+    const PackedShadowMap& packed = *scene.packed->shadow_maps()->Get(index);
     const Tracing tracing{scene.traced,
                           scene,
                           triangles,
@@ -141,8 +157,8 @@ void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& came
                           light_source(*scene.packed, packed, scene.slots, scene.world),
                           width,
                           height};
-    gl::set_mask(gl, map.texture, width, height, trace_picture(tracing));
-    map.in_use = true;
+    gl::set_mask(gl, scene.shadow_maps[index].texture, width, height, trace_picture(tracing));
+    scene.shadow_maps[index].in_use = true;
   }
 }
 

@@ -15,11 +15,21 @@ namespace plugc {
 
 struct LoadedScene;
 
+/// What a shape's triangles and their holes come from.
+struct SurfaceKey {
+  bool visible = false;
+  glm::dmat4 to_world{1.0};
+  std::uint8_t variant = 0;  ///< Says whether it casts, and which texture is tested.
+  double alpha_cutoff = 0;
+  std::uint32_t version = 0;  ///< LiveMesh::version.
+  bool operator==(const SurfaceKey&) const = default;
+};
+
 /// What tracing keeps from frame to frame.
 struct TracedShadows {
   gl::TrianglePass pass;
-  bool placed = false;             ///< The geometry below is that of `places`.
-  std::vector<glm::dmat4> places;  ///< By shape.
+  bool placed = false;           ///< The geometry below is that of `keys`.
+  std::vector<SurfaceKey> keys;  ///< By shape.
   std::vector<Surface> surfaces;
   std::vector<std::vector<Plane>> planes;  ///< By surface.
   std::vector<std::int32_t> surface_of;    ///< By shape of the scene; -1 for none.

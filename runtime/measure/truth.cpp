@@ -52,6 +52,7 @@ TruthPicture find_receivers(const Shot& shot, const LoadedScene& scene, const st
     const auto found = placed.find(static_cast<std::uint32_t>(std::max(seen.x, 0.0F)));
     if (seen.w != kSeen || found == placed.end()) continue;
     const TriangleId id{found->first, static_cast<std::uint32_t>(seen.y)};
+    if (id.triangle >= found->second.planes.size()) continue;  // a float rounds what is beyond 24 bits
     const double x = static_cast<double>(i % static_cast<std::size_t>(shot.width)) + 0.5;
     const double y = static_cast<double>(i / static_cast<std::size_t>(shot.width)) + 0.5;
     TruthPixel& pixel = picture.pixels[i] = find_receiver(found->second.planes[id.triangle], id, rays, x, y);

@@ -199,6 +199,16 @@ TEST_P(MapSize, AboveWhatOpenGlCanIsCutAndTold) {
   EXPECT_THAT(meant.said(), IsEmpty());
 }
 
+/// Nothing is left of the shadows that the frame before had.
+TEST(ShadowStability, WhatCannotBeTracedIsLitAndTold) {
+  Stage stage(boxes_scene(with_map(kSun, "16", "TRACED") + with_map(kSpot, "16", "TRACED")), {}, kSide, true);
+  const FloatPicture lit = stage.draw(false);
+  EXPECT_NE(stage.draw().values, lit.values);
+  const IncompleteTargets none;
+  EXPECT_EQ(stage.draw().values, lit.values);
+  EXPECT_THAT(stage.said(), Contains("shadows cannot be traced at 32 by 32, so all is lit"));
+}
+
 TEST_P(MapSize, AboveEveryLimitIsCutByTheCompilerAndTold) {
   const auto& [light, method] = GetParam();
   const Compiled compiled = compile_text(boxes_scene(with_map(light, "100000", method)));

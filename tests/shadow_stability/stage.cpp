@@ -146,6 +146,14 @@ SmallTextures::~SmallTextures() {
   device().gl.GetIntegerv = limits.real;
 }
 
+IncompleteTargets::IncompleteTargets() : real_(device().gl.CheckFramebufferStatus) {
+  device().gl.CheckFramebufferStatus = [](GLenum) -> GLenum { return GL_FRAMEBUFFER_UNSUPPORTED; };
+}
+
+IncompleteTargets::~IncompleteTargets() {
+  device().gl.CheckFramebufferStatus = real_;
+}
+
 struct Stage::Drawn {
   LoadedScene scene;
   Messages messages;

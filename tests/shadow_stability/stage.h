@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/gl/functions.h"
 #include "runtime/render.h"
 #include "runtime/world.h"
 #include "support/brute_force.h"
@@ -87,6 +88,18 @@ class SmallTextures {
   ~SmallTextures();
   SmallTextures(const SmallTextures&) = delete;
   SmallTextures& operator=(const SmallTextures&) = delete;
+};
+
+/// As long as it lives, OpenGL says of every target that is made that it cannot be drawn into.
+class IncompleteTargets {
+ public:
+  IncompleteTargets();
+  ~IncompleteTargets();
+  IncompleteTargets(const IncompleteTargets&) = delete;
+  IncompleteTargets& operator=(const IncompleteTargets&) = delete;
+
+ private:
+  decltype(gl::Functions::CheckFramebufferStatus) real_;
 };
 
 /// The share of pixels that count in both whose truth differs, in percent.

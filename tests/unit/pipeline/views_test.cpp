@@ -119,6 +119,28 @@ TEST(Views, HaveTheirOwnTracedShadows) {
   EXPECT_THAT(color_at(picture, 48, 32), IsColor(Color{0, 0, 0}));
 }
 
+/// A leaf all of whose texels have an alpha of 0.4, and its shadow beside it.
+TEST(Views, TracedShadowsFollowTheAlphaCutoff) {
+  CompileOptions options;
+  options.shadows = read_shadow_defaults("traced").shadows;
+  options.dynamic = {"Leaf.alphaCutoff"};
+  DrawnScene scene(
+      "#X3D V4.0 utf8\nPROFILE Full\n"
+      "NavigationInfo { headlight FALSE }\n"
+      "OrthoViewpoint { position 0 0 20 fieldOfView [ -4 -4 4 4 ] }\n"
+      "DirectionalLight { direction 1 0 -1 shadows TRUE }\n"
+      "Shape { appearance Appearance { material Material { diffuseColor 1 1 1 ambientIntensity 0 } }\n"
+      "  geometry Rectangle2D { size 8 8 } }\n"
+      "Transform { translation -2 0 2 children Shape {\n"
+      "  appearance DEF Leaf Appearance { alphaMode \"MASK\" alphaCutoff 0.5 material UnlitMaterial { }\n"
+      "    texture PixelTexture { image 1 1 4 0xffffff66 } }\n"
+      "  geometry Rectangle2D { size 2 2 } } }\n",
+      options);
+  EXPECT_THAT(color_at(scene.draw(), 32, 32), IsColor(kSlanting)) << "all hole";
+  scene.set("Leaf.alphaCutoff", 0.2);
+  EXPECT_THAT(color_at(scene.draw(), 32, 32), IsColor(Color{0, 0, 0})) << "no hole";
+}
+
 /// One fit for six faces: a second frame that changes nothing draws no map again but for the picture's own camera.
 TEST(Views, OfACubeShareTheirShadowMaps) {
   DrawnScene scene(
