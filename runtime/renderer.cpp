@@ -7,7 +7,6 @@
 
 #include "runtime/draw_frame.h"
 #include "runtime/gl/context.h"
-#include "runtime/gl/pass.h"
 #include "runtime/gl/program.h"
 #include "runtime/readback.h"
 
@@ -57,15 +56,11 @@ std::unique_ptr<Renderer> Renderer::make(const RendererOptions& options, std::st
   std::unique_ptr<gl::Context> context = gl::make_context({options.single_picture, options.cache_folder}, error);
   if (context == nullptr) return nullptr;
   gl::Functions functions;
-  if (!context->make_current()) {
-    error = "the OpenGL context cannot be made current";
-    return nullptr;
-  }
-  if (!gl::load_functions(*context, functions, error)) return nullptr;
+  auto context = gl::make_current_context({options.single_picture, options.cache_folder}, functions, error);
+  if (context == nullptr) return nullptr;
   std::unique_ptr<Renderer> renderer(new Renderer());
   renderer->state_->context = std::move(context);
   renderer->state_->gl = functions;
-  gl::set_context_defaults(renderer->state_->gl);
   gl::warm_up_compiler(renderer->state_->gl);  // here, as the package is often still being made
   return renderer;
 }

@@ -10,6 +10,9 @@
 #include <mutex>
 #include <string_view>
 
+#include "runtime/gl/functions.h"
+#include "runtime/gl/pass.h"
+
 namespace plugc::gl {
 namespace {
 
@@ -66,6 +69,18 @@ std::unique_ptr<Context> make_context(const ContextTuning& tuning, std::string& 
   if (auto context = make_egl_context(egl_error)) return context;
   error = osmesa_error + "; " + egl_error;
   return nullptr;
+}
+
+std::unique_ptr<Context> make_current_context(const ContextTuning& tuning, Functions& functions, std::string& error) {
+  std::unique_ptr<Context> context = make_context(tuning, error);
+  if (context == nullptr) return nullptr;
+  if (!context->make_current()) {
+    error = "the OpenGL context cannot be made current";
+    return nullptr;
+  }
+  if (!load_functions(*context, functions, error)) return nullptr;
+  set_context_defaults(functions);
+  return context;
 }
 
 }  // namespace plugc::gl

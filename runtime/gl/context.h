@@ -25,6 +25,11 @@ struct ContextTuning {
 /// The first kind that works. Null with `error` set when none does.
 std::unique_ptr<Context> make_context(const ContextTuning& tuning, std::string& error);
 
+struct Functions;
+/// The same, current on the calling thread and with set_context_defaults(), and its functions. Null with `error` set where
+/// anything of it fails.
+std::unique_ptr<Context> make_current_context(const ContextTuning& tuning, Functions& functions, std::string& error);
+
 std::unique_ptr<Context> make_osmesa_context(std::string& error);
 std::unique_ptr<Context> make_egl_context(std::string& error);
 

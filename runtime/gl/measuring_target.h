@@ -18,6 +18,7 @@ struct MeasuringTarget {
   GLsizei height = 0;
 };
 
+/// Whether the driver can draw into it is not asked.
 MeasuringTarget make_measuring_target(const Functions& gl, GLsizei width, GLsizei height);
 
 /// What programs wrote into output `index`: four numbers a pixel, rows from the bottom up.

@@ -4,7 +4,7 @@
 
 #include "runtime/measure/instrument.h"
 
-#include <set>
+#include <stdexcept>
 
 namespace plugc {
 namespace {
@@ -22,8 +22,14 @@ double value_of(const PackedSceneT& scene, std::uint32_t slot, double fallback) 
   return slot == kNoSlot ? fallback : scene.slot_values[scene.slots[slot].first()];
 }
 
+const Package& opened(const std::vector<std::uint8_t>& bytes) {
+  const PackageView view = open_package(bytes);
+  if (view.package == nullptr) throw std::runtime_error(view.error);
+  return *view.package;
+}
+
 std::unique_ptr<PackageT> unpack(const std::vector<std::uint8_t>& bytes) {
-  return std::unique_ptr<PackageT>(open_package(bytes).package->UnPack());
+  return std::unique_ptr<PackageT>(opened(bytes).UnPack());
 }
 
 std::uint32_t add_slot(PackedSceneT& scene, const glm::dvec3& value) {
@@ -32,19 +38,51 @@ std::uint32_t add_slot(PackedSceneT& scene, const glm::dvec3& value) {
   return static_cast<std::uint32_t>(scene.slots.size() - 1);
 }
 
-/// A new first transform, under which all roots hang.
-void put_under_transform(PackedSceneT& scene, double scale, const glm::dvec3& offset) {
+/// Of those, a fog's visibility counts transforms (from 1, as 0 is the world).
+void make_room(std::vector<PackedBinding>& bindings) {
+  for (PackedBinding& b : bindings) {
+    if (b.source() == PackedSource::fog_visibility_range)
+      b = PackedBinding(b.uniform(), b.a(), b.b() + 1, b.scale(), b.source());
+  }
+}
+
+void make_room_in_bindings(PackedSceneT& scene) {
+  for (auto& shape : scene.shapes) {
+    make_room(shape->bindings);
+    for (auto& variant : shape->variants) make_room(variant->bindings);
+  }
+  for (auto& effect : scene.screen_effects) make_room(effect->bindings);
+}
+
+/// Whatever hangs on a transform, or on the world, hangs on the next one.
+void make_room_for_a_root(PackedSceneT& scene) {
   for (PackedTransform& t : scene.transforms) {
     t = PackedTransform(t.parent() + 1, t.translation(), t.rotation(), t.scale(), t.scale_orientation(), t.center(),
                         t.switch_slot(), t.choice());
   }
+  const auto hang_on_next = [](auto& list) {
+    for (auto& each : list) each->transform += 1;
+  };
+  for (auto& light : scene.lights) light->transform += light->headlight ? 0 : 1;
+  hang_on_next(scene.shapes);
+  hang_on_next(scene.viewpoints);
+  hang_on_next(scene.projectors);
+  hang_on_next(scene.screen_effects);
+  for (PackedBillboard& b : scene.billboards) b = PackedBillboard(b.transform() + 1, b.axis());
+  for (PackedLodLevel& level : scene.lod_levels)
+    level = PackedLodLevel(level.transform() + 1, level.center(), level.from(), level.to());
+  for (PackedClipPlane& plane : scene.clip_planes)
+    plane = PackedClipPlane(plane.transform() + 1, plane.plane(), plane.enabled());
+  for (auto& node : scene.event_nodes) node->subject += node->kind == PackedEventKind::proximity_sensor ? 1 : 0;
+  make_room_in_bindings(scene);
+}
+
+/// A new first transform, under which all roots hang.
+void put_under_transform(PackedSceneT& scene, double scale, const glm::dvec3& offset) {
+  make_room_for_a_root(scene);
   const PackedTransform root(-1, add_slot(scene, offset), kNoSlot, add_slot(scene, glm::dvec3(scale)), kNoSlot, kNoSlot,
                              kNoSlot, 0);
   scene.transforms.insert(scene.transforms.begin(), root);
-  for (auto& light : scene.lights) light->transform += light->headlight ? 0 : 1;
-  for (auto& shape : scene.shapes) shape->transform += 1;
-  for (auto& viewpoint : scene.viewpoints) viewpoint->transform += 1;
-  for (auto& projector : scene.projectors) projector->transform += 1;
 }
 
 void apply(PackedSceneT& scene, const Settings& settings) {
@@ -142,7 +180,7 @@ MeasurablePackage make_measurable(const std::vector<std::uint8_t>& bytes, const 
   darken_shadows(*package);
   number_shapes(*package);
   made.bytes = write_package(*package);
-  made.package = open_package(made.bytes).package;
+  made.package = &opened(made.bytes);
   return made;
 }
 

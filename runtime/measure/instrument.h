@@ -44,10 +44,10 @@ inline constexpr float kSeen = 7.0F;
 /// Intensity of the measured light: so low that no sum of lights reaches 1, where shaders clamp it.
 inline constexpr double kMeasuringIntensity = 0.05;
 
-/// `bytes` is a package as written, with one scene.
+/// `bytes` is a package as written, with one scene. Throws std::runtime_error where it cannot be opened.
 MeasurablePackage make_measurable(const std::vector<std::uint8_t>& bytes, const Settings& settings);
 
-/// Only the settings, no measuring: for timing.
+/// Only the settings, no measuring: for timing. Throws likewise.
 std::vector<std::uint8_t> with_settings(const std::vector<std::uint8_t>& bytes, const Settings& settings);
 
 }  // namespace plugc

@@ -5,7 +5,6 @@
 
 #include "runtime/draw_frame.h"
 #include "runtime/gl/measuring_target.h"
-#include "runtime/gl/pass.h"
 
 namespace plugc {
 namespace {
@@ -35,10 +34,8 @@ Studio::~Studio() {
 std::unique_ptr<Studio> Studio::make(const std::string& cache_folder, std::string& error, bool single_picture) {
   std::unique_ptr<Studio> studio(new Studio());
   State& state = *studio->state_;
-  state.context = gl::make_context({single_picture, cache_folder}, error);
-  if (state.context == nullptr || !state.context->make_current()) return nullptr;
-  if (!gl::load_functions(*state.context, state.gl, error)) return nullptr;
-  gl::set_context_defaults(state.gl);
+  state.context = gl::make_current_context({single_picture, cache_folder}, state.gl, error);
+  if (state.context == nullptr) return nullptr;
   return studio;
 }
 
