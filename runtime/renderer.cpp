@@ -44,6 +44,16 @@ void report_gl_errors(const gl::Functions& functions, const char* during, Messag
   for (const std::string& error : gl::take_errors(functions)) messages.add("OpenGL error " + error + " while " + during);
 }
 
+/// Those of the field in every node of that name.
+std::vector<std::uint32_t> dynamic_slots(const LoadedScene& scene, std::string_view name) {
+  std::vector<std::uint32_t> slots;
+  if (scene.packed == nullptr) return slots;
+  for (const PackedSlotName* slot : *scene.packed->slot_names()) {
+    if (slot->dynamic() && slot->name()->string_view() == name) slots.push_back(slot->slot());
+  }
+  return slots;
+}
+
 }  // namespace
 
 Renderer::Renderer() : state_(std::make_unique<State>()) {}
@@ -53,8 +63,6 @@ Renderer::~Renderer() {
 }
 
 std::unique_ptr<Renderer> Renderer::make(const RendererOptions& options, std::string& error) {
-  std::unique_ptr<gl::Context> context = gl::make_context({options.single_picture, options.cache_folder}, error);
-  if (context == nullptr) return nullptr;
   gl::Functions functions;
   auto context = gl::make_current_context({options.single_picture, options.cache_folder}, functions, error);
   if (context == nullptr) return nullptr;
@@ -86,21 +94,20 @@ void Renderer::set_slot(std::uint32_t slot, const std::vector<double>& values) {
 
 bool Renderer::set_field(std::string_view name, const std::vector<double>& values, std::string& error) {
   LoadedScene& scene = state_->scene;
-  bool found = false;
-  if (scene.packed != nullptr) {
-    for (const PackedSlotName* slot : *scene.packed->slot_names()) {
-      if (slot->name()->string_view() != name || !slot->dynamic()) continue;
-      found = true;
-      if (send_from_outside(scene.events, scene.slots, slot->slot(), values)) continue;
-      error = "`" + std::string(name) + "` holds " + std::to_string(scene.slots.values(slot->slot()).size()) +
-              " numbers, not " + std::to_string(values.size());
-      return false;
-    }
-  }
-  if (!found)
+  const std::vector<std::uint32_t> slots = dynamic_slots(scene, name);
+  if (slots.empty()) {
     error = "the package does not let a host change `" + std::string(name) + "`: build it with `--dynamic " +
             std::string(name) + "`";
-  return found;
+    return false;
+  }
+  for (const std::uint32_t slot : slots) {
+    const std::size_t size = scene.slots.values(slot).size();
+    if (size == values.size()) continue;
+    error = "`" + std::string(name) + "` holds " + std::to_string(size) + " numbers, not " + std::to_string(values.size());
+    return false;
+  }
+  for (const std::uint32_t slot : slots) send_from_outside(scene.events, scene.slots, slot, values);
+  return true;
 }
 
 std::vector<double> Renderer::field(std::string_view name) const {

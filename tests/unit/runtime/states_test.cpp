@@ -80,5 +80,18 @@ TEST(States, AHostSetsOnlyWhatIsDynamic) {
   EXPECT_FALSE(renderer->set_field("Glow.enable", {0}, error));
 }
 
+/// One field in two nodes of a name that do not hold as many numbers.
+TEST(States, AHostSetsAFieldInAllNodesOfTheNameOrInNone) {
+  SceneBuilder builder;
+  builder.name_slot(builder.number(1), "Glow.amount", true);
+  builder.name_slot(builder.vec3(1, 2, 3), "Glow.amount", true);
+  const LoadedPackage loaded = builder.pack();
+  const auto renderer = make_renderer(loaded);
+  std::string error;
+  EXPECT_FALSE(renderer->set_field("Glow.amount", {0}, error));
+  EXPECT_EQ(error, "`Glow.amount` holds 3 numbers, not 1");
+  EXPECT_EQ(renderer->field("Glow.amount"), std::vector<double>{1});
+}
+
 }  // namespace
 }  // namespace plugc
