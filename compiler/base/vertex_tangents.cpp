@@ -23,9 +23,10 @@ Directions directions(const TangentInputs& mesh, const std::uint32_t* corners) {
   return area < 0 ? Directions{-found.of_s, -found.of_t} : found;
 }
 
-bool has_direction(const glm::vec3& vector) {
-  const float length = glm::length(vector);
-  return length > 1e-12F && std::isfinite(length);
+/// Whether that part of the vector is more than rounding left of it.
+bool has_direction(const glm::vec3& part, const glm::vec3& vector) {
+  const float length = glm::length(part);
+  return length > 1e-6F * glm::length(vector) && std::isfinite(length);
 }
 
 glm::vec3 any_perpendicular(const glm::vec3& normal) {
@@ -35,7 +36,7 @@ glm::vec3 any_perpendicular(const glm::vec3& normal) {
 
 glm::vec4 tangent_at(const glm::vec3& normal, const Directions& sum) {
   const glm::vec3 along = sum.of_s - normal * glm::dot(normal, sum.of_s);
-  const glm::vec3 tangent = has_direction(along) ? glm::normalize(along) : any_perpendicular(normal);
+  const glm::vec3 tangent = has_direction(along, sum.of_s) ? glm::normalize(along) : any_perpendicular(normal);
   return {tangent, glm::dot(glm::cross(normal, tangent), sum.of_t) < 0 ? -1 : 1};
 }
 

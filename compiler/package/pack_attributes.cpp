@@ -53,11 +53,11 @@ class Places {
   std::array<bool, kLastCustom + 1> taken_{};
 };
 
+}  // namespace
+
 std::int32_t pack_number(std::uint32_t number) {
   return number > INT32_MAX ? -1 : static_cast<std::int32_t>(number);
 }
-
-}  // namespace
 
 std::vector<std::unique_ptr<PackedAttributeT>> pack_attributes(const std::vector<ReflectedVariable>& variables,
                                                                bool over_screen) {

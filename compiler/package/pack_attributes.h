@@ -10,6 +10,9 @@
 
 namespace plugc {
 
+/// A place in SPIR-V; -1 for what has none.
+std::int32_t pack_number(std::uint32_t number);
+
 /// A program's vertex inputs. Those that only an author's mesh feeds get the places that nothing else of the program takes; one
 /// that finds none has unit 255 and is not fed. `over_screen`: what covers the picture has corners and texture coordinates,
 /// which go by the reference engine's names, too.

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "package/pack_program.h"
+#include "package/pack_shape.h"
 #include "package/pack_texture.h"
 
 namespace plugc {
 namespace {
-
-constexpr std::uint32_t kNothing = UINT32_MAX;
 
 std::unique_ptr<PackedRenderedTextureT> pack_rendered_texture(const SceneRenderedTexture& texture) {
   auto packed = std::make_unique<PackedRenderedTextureT>();

@@ -13,13 +13,12 @@
 #include "compose/sampler_type.h"
 #include "compose/screen_library.h"
 #include "package/pack_attributes.h"
+#include "package/pack_shape.h"
 #include "package/pack_style.h"
 #include "package/target_variables.h"
 
 namespace plugc {
 namespace {
-
-constexpr std::uint32_t kNothing = UINT32_MAX;
 
 PackedUniformType pack_type(std::string_view type) {
   static const std::map<std::string_view, PackedUniformType> kTypes = {
@@ -41,10 +40,6 @@ PackedUniformType pack_type(std::string_view type) {
       {"samplerCubeShadow", PackedUniformType::samplerCubeShadow}};
   const auto found = kTypes.find(type);
   return found == kTypes.end() ? PackedUniformType::float_ : found->second;
-}
-
-std::int32_t pack_number(std::uint32_t number) {
-  return number > INT32_MAX ? -1 : static_cast<std::int32_t>(number);
 }
 
 std::unique_ptr<PackedTargetProgramT> pack_target(const ValidatedProgram& program, SourceList& sources) {

@@ -144,14 +144,12 @@ GLsizei max_texture_side(const Functions& gl, GLenum target) {
 Texture upload_texture(const Functions& gl, const PackedTexture& texture, const PackedImage& image, PackedUniformType sampler) {
   const GLenum target = texture_target(sampler);
   const std::size_t pixel_count = std::size_t{image.width()} * image.height() * image.depth();
-  if (pixel_count == 0) return {};
   if (target == GL_TEXTURE_CUBE_MAP && (image.depth() != kCubeFaces || image.width() != image.height())) return {};
   Texture handle = begin_texture(gl, target);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   upload_slices(gl, target, static_cast<GLsizei>(image.width()), static_cast<GLsizei>(image.height()),
                 static_cast<GLsizei>(image.depth()), expand_to_rgba(image, pixel_count).data());
-  set_filters(gl, target, filter_of(texture.minification()),
-              has_mipmaps(texture.magnification()) ? GL_LINEAR : filter_of(texture.magnification()));
+  set_filters(gl, target, filter_of(texture.minification()), filter_of(texture.magnification()));
   set_wrap(gl, target, wrap_of(texture.wrap_s()), wrap_of(texture.wrap_t()), wrap_of(texture.wrap_r()));
   set_border(gl, target, texture.border());
   if (has_mipmaps(texture.minification())) gl.GenerateMipmap(target);

@@ -18,7 +18,7 @@ GLenum texture_target(PackedUniformType sampler);
 GLsizei max_texture_side(const Functions& gl, GLenum target);
 
 /// A picture as that sampler type sees it: 2D takes the first slice, 3D all, a cube six slices (+x -x +y -y +z -z).
-/// No name when the picture does not fit (no pixels, a cube of other than six square slices).
+/// No name when the picture does not fit (a cube of other than six square slices).
 Texture upload_texture(const Functions& gl, const PackedTexture& texture, const PackedImage& image, PackedUniformType sampler);
 
 /// How a texture is looked up.

@@ -26,6 +26,14 @@ TEST(Tangents, TurnWithTheCoordinates) {
   for (const glm::vec4& tangent : tangents) EXPECT_EQ(tangent, glm::vec4(0, 1, 0, 1));
 }
 
+TEST(Tangents, FollowTheCoordinatesHoweverSmallTheMeshIs) {
+  constexpr float kSmall = 1e-7F;
+  Mesh mesh = quad();
+  for (glm::vec3& position : mesh.positions) position *= kSmall;
+  const auto tangents = make_tangents(mesh, {{0, kSmall, 0, 1}, {0, 0, 0, 1}, {kSmall, 0, 0, 1}, {kSmall, kSmall, 0, 1}});
+  for (const glm::vec4& tangent : tangents) EXPECT_EQ(tangent, glm::vec4(0, 1, 0, 1));
+}
+
 TEST(Tangents, SayThatAMirroredTextureIsMirrored) {
   const auto tangents = make_tangents(quad(), {{1, 0, 0, 1}, {0, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1}});
   for (const glm::vec4& tangent : tangents) EXPECT_EQ(tangent, glm::vec4(-1, 0, 0, -1));
