@@ -70,7 +70,7 @@ void lend_own_fogs(SceneContext& context, std::optional<int>& bound) {
   if (bound.value_or(-1) < 0) bound = add_clear_fog(context, read_kind(graph, own.front().node));
   SceneFog& world = context.scene.fogs[static_cast<std::size_t>(*bound)];
   const bool differ = std::ranges::any_of(own, [&](const OwnFog& fog) { return read_kind(graph, fog.node) != world.kind; });
-  if (differ) {
+  if (differ && world.kind != FogKind::either) {
     world.exponential = add_slot(context, SlotType::float_, {world.kind == FogKind::exponential ? 1.0 : 0.0});
     world.kind = FogKind::either;
   }
