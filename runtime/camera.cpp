@@ -129,6 +129,21 @@ View view_of_whole(const Box& bounds) {
   return look_along({bounds.center().x, bounds.center().y, bounds.max.z + 2 * mean}, forward, up);
 }
 
+/// In the space of the viewpoint's transform.
+struct LookingWay {
+  glm::dvec3 direction, up;
+};
+
+LookingWay looking_way(const PackedViewpoint& viewpoint, const Slots& slots) {
+  const glm::dvec3 direction = slots.vector3(viewpoint.direction(), glm::dvec3(0));
+  if (direction != glm::dvec3(0)) {
+    const glm::dvec3 up = slots.vector3(viewpoint.up(), glm::dvec3(0));
+    return {direction, up == glm::dvec3(0) ? glm::dvec3(0, 1, 0) : up};
+  }
+  const glm::dmat3 axes(rotation_matrix(slots.vector4(viewpoint.orientation(), {0, 0, 1, 0})));
+  return {-axes[2], axes[1]};
+}
+
 }  // namespace
 
 View look_along(const glm::dvec3& position, const glm::dvec3& direction, const glm::dvec3& up) {
@@ -156,9 +171,9 @@ glm::dmat3 rotation_of(const glm::dmat4& matrix) {
 
 View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World& world, double aspect) {
   const glm::dmat4& place = world.at(viewpoint.transform()).matrix;
-  const glm::dmat3 axes = glm::dmat3(place) * glm::dmat3(rotation_matrix(slots.vector4(viewpoint.orientation(), {0, 0, 1, 0})));
+  const LookingWay way = looking_way(viewpoint, slots);
   const glm::dvec4 position = place * glm::dvec4(slots.vector3(viewpoint.position(), {0, 0, 10}), 1);
-  View view = look_along(glm::dvec3(position), -axes[2], axes[1]);
+  View view = look_along(glm::dvec3(position), glm::dmat3(place) * way.direction, glm::dmat3(place) * way.up);
   const DepthRange range = depth_range(world, view);
   view.projection =
       viewpoint.orthographic()

@@ -28,7 +28,7 @@ class Cascade {
   Cascade(EventGraph& graph, const PackedScene& scene, Slots& slots, double time)
       : graph_(graph), scene_(scene), slots_(slots), time_(time) {}
 
-  void wake_node(std::uint32_t node) { pending_.insert(node); }
+  void wake_node(std::uint32_t node) { pending_.try_emplace(node); }
 
   /// The slot has its value; whoever listens will hear of it.
   void send(std::uint32_t slot) {
@@ -56,10 +56,9 @@ class Cascade {
 
   void run() {
     while (!pending_.empty()) {
-      const std::uint32_t index = *pending_.begin();
-      pending_.erase(pending_.begin());
-      const PackedEventNode& node = *scene_.event_nodes()->Get(index);
-      send_all(node, wake({node, slots_, arrived_, time_}, graph_.memory[index]));
+      const auto woken = pending_.extract(pending_.begin());
+      const PackedEventNode& node = *scene_.event_nodes()->Get(woken.key());
+      send_all(node, wake({node, slots_, woken.mapped(), time_}, graph_.memory[woken.key()]));
     }
   }
 
@@ -67,7 +66,7 @@ class Cascade {
   void hear(std::uint32_t slot) {
     if (!arrived_.insert(slot).second) return;
     const auto first = std::ranges::lower_bound(graph_.listeners, std::pair{slot, 0U});
-    for (auto one = first; one != graph_.listeners.end() && one->first == slot; ++one) pending_.insert(one->second);
+    for (auto one = first; one != graph_.listeners.end() && one->first == slot; ++one) pending_[one->second].push_back(slot);
   }
 
   std::vector<std::uint32_t> receivers(std::uint32_t from) const {
@@ -83,17 +82,16 @@ class Cascade {
   const PackedScene& scene_;
   Slots& slots_;
   double time_;
-  std::set<std::uint32_t> pending_;         // nodes, by their place in the order
-  std::set<std::uint32_t> sent_, arrived_;  // slots
+  std::map<std::uint32_t, std::vector<std::uint32_t>> pending_;  // nodes, by their place in the order: what has reached them
+  std::set<std::uint32_t> sent_, arrived_;                       // slots
 };
 
 /// The time sensors, each with its inputs.
 template <typename Function>
 void each_clock(const EventGraph& graph, const PackedScene& scene, const Slots& slots, Function function) {
-  static const std::set<std::uint32_t> none;
   for (flatbuffers::uoffset_t i = 0; i < node_count(scene); ++i) {
     const PackedEventNode& node = *scene.event_nodes()->Get(i);
-    if (node.kind() == PackedEventKind::time_sensor) function(i, EventNodeInputs{node, slots, none, graph.time});
+    if (node.kind() == PackedEventKind::time_sensor) function(i, EventNodeInputs{node, slots, {}, graph.time});
   }
 }
 
@@ -120,18 +118,20 @@ bool run_moment(EventGraph& graph, const PackedScene& scene, Slots& slots, doubl
   return true;
 }
 
-/// What is bound when the scene is loaded.
-void bind_first(Cascade& cascade, const PackedScene& scene) {
+/// What is bound when the scene is loaded, and code that begins by itself then.
+void wake_at_start(Cascade& cascade, const PackedScene& scene) {
   for (flatbuffers::uoffset_t i = 0; i < node_count(scene); ++i) {
-    if (scene.event_nodes()->Get(i)->kind() == PackedEventKind::bind_stack) cascade.wake_node(i);
+    const PackedEventKind kind = scene.event_nodes()->Get(i)->kind();
+    if (kind == PackedEventKind::bind_stack || kind == PackedEventKind::script) cascade.wake_node(i);
   }
 }
 
 /// All clocks, and what came from outside.
 void run_frame(EventGraph& graph, const PackedScene& scene, Slots& slots, double time) {
   Cascade cascade(graph, scene, slots, time);
-  if (graph.time < 0) bind_first(cascade, scene);
-  each_clock(graph, scene, slots, [&](std::uint32_t index, const EventNodeInputs&) { cascade.wake_node(index); });
+  if (graph.time < 0) wake_at_start(cascade, scene);
+  const auto wake_clock = [&](std::uint32_t index, const EventNodeInputs&) { cascade.wake_node(index); };
+  if (graph.ticking) each_clock(graph, scene, slots, wake_clock);
   for (const std::uint32_t slot : std::exchange(graph.unheard, {})) cascade.send(slot);
   cascade.run();
   graph.time = time;
@@ -153,7 +153,7 @@ EventGraph make_event_graph(const PackedScene& scene) {
     const PackedEventNode& node = *scene.event_nodes()->Get(i);
     for (flatbuffers::uoffset_t input = 0; input < node.inputs()->size(); ++input) {
       const std::uint32_t slot = node.inputs()->Get(input);
-      if (slot != kNoSlot && wakes(node.kind(), input)) graph.listeners.emplace_back(slot, i);
+      if (slot != kNoSlot && wakes(node, input)) graph.listeners.emplace_back(slot, i);
     }
   }
   std::ranges::sort(graph.listeners);
@@ -171,6 +171,7 @@ void advance_events(EventGraph& graph, const PackedScene& scene, Slots& slots, d
   const double end = std::isfinite(time) ? std::max(time, 0.0) : 0.0;
   if (end < graph.time) start_anew(graph, scene, slots);
   if (graph.time < 0) run_frame(graph, scene, slots, 0);
+  if (end > 0 && !std::exchange(graph.ticking, true)) run_frame(graph, scene, slots, 0);
   for (int moments = 0; moments < kMaxMoments && run_moment(graph, scene, slots, end);) ++moments;
   if (end > graph.time || !graph.unheard.empty()) run_frame(graph, scene, slots, end);
 }

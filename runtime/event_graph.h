@@ -13,6 +13,7 @@ namespace plugc {
 /// What has happened in a scene so far.
 struct EventGraph {
   double time = -1;                 ///< Up to which everything has happened; less than 0: nothing has.
+  bool ticking = false;             ///< Clocks run: some time has passed since the scene was loaded.
   std::vector<EventMemory> memory;  ///< By event node.
   /// Slots that wake a node, with the node, in order.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> listeners;
@@ -27,8 +28,10 @@ EventGraph make_event_graph(const PackedScene& scene);
 /// many values.
 bool send_from_outside(EventGraph& graph, Slots& slots, std::uint32_t slot, const std::vector<double>& values);
 
-/// Lets everything happen up to `time`, in seconds since the scene was loaded. Sensors start and stop at their own times, so
-/// that what comes of it does not depend on the times that it is called for; all others send at `time`. To go back starts anew.
+/// Lets everything happen up to `time`, in seconds since the scene was loaded: at 0, what loading it sets off, but no clock has
+/// ticked, as in the reference engine; later, all that clocks have sent from 0 on. Sensors start and stop at their own times,
+/// so that what comes of it does not depend on the times that it is called for; all others send at `time`. To go back starts
+/// anew.
 void advance_events(EventGraph& graph, const PackedScene& scene, Slots& slots, double time);
 
 /// Sends from a node the values of its outputs (empty: not that one) at the time that has been reached.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/interpolate.h"
+#include "runtime/script_node.h"
 
 namespace plugc {
 namespace {
@@ -127,8 +128,9 @@ Sent wake_choose(const EventNodeInputs& inputs) {
 
 }  // namespace
 
-bool wakes(PackedEventKind kind, std::size_t input) {
-  switch (kind) {
+bool wakes(const PackedEventNode& node, std::size_t input) {
+  switch (node.kind()) {
+    case PackedEventKind::script: return script_listens(node, input);
     case PackedEventKind::time_sensor:
     case PackedEventKind::bind_stack:
     case PackedEventKind::choose: return true;
@@ -140,6 +142,7 @@ bool wakes(PackedEventKind kind, std::size_t input) {
 }
 
 std::vector<SentEvent> wake(const EventNodeInputs& inputs, EventMemory& memory) {
+  if (inputs.node.kind() == PackedEventKind::script) return wake_script(inputs, memory.script);
   const bool value =
       inputs.node.kind() != PackedEventKind::time_sensor && inputs.node.inputs()->size() != 0 && inputs.boolean(0, false);
   switch (inputs.node.kind()) {

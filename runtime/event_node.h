@@ -1,12 +1,14 @@
 #pragma once
 // What one node of the event graph makes of the events that reach it.
 
+#include <algorithm>
 #include <cstdint>
-#include <set>
+#include <span>
 #include <vector>
 
 #include "package/package_file.h"
 #include "runtime/events.h"
+#include "runtime/script_machine.h"
 #include "runtime/time_sensor.h"
 
 namespace plugc {
@@ -19,6 +21,7 @@ struct EventMemory {
   bool has_looked = false;           ///< Of a camera and a proximity sensor: it has sent where the viewer is.
   std::vector<std::uint32_t> stack;  ///< Of a bind stack: the nodes on it, the bound one last.
   bool has_begun = false;            ///< Of a bind stack: its first node has been bound.
+  ScriptMemory script;
 };
 
 /// An event that a node sends, by the place of its output.
@@ -31,18 +34,18 @@ struct SentEvent {
 struct EventNodeInputs {
   const PackedEventNode& node;
   const Slots& slots;
-  const std::set<std::uint32_t>& arrived;  ///< Slots that events have reached at this time.
+  std::span<const std::uint32_t> arrived;  ///< Slots that events have reached since the node was woken last, in order.
   double time = 0;
 
   std::uint32_t slot(std::size_t input) const { return node.inputs()->Get(static_cast<flatbuffers::uoffset_t>(input)); }
-  bool has_arrived(std::size_t input) const { return arrived.contains(slot(input)); }
+  bool has_arrived(std::size_t input) const { return std::ranges::find(arrived, slot(input)) != arrived.end(); }
   std::span<const double> values(std::size_t input) const { return slots.values(slot(input)); }
   double number(std::size_t input, double fallback) const { return slots.number(slot(input), fallback); }
   bool boolean(std::size_t input, bool fallback) const { return slots.boolean(slot(input), fallback); }
 };
 
 /// Whether an event at that input makes the node send; the others are what it then works with.
-bool wakes(PackedEventKind kind, std::size_t input);
+bool wakes(const PackedEventNode& node, std::size_t input);
 
 /// What a node sends whom time or an event wakes; nothing for those that look at the camera.
 std::vector<SentEvent> wake(const EventNodeInputs& inputs, EventMemory& memory);

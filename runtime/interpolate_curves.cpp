@@ -5,26 +5,16 @@
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/glm.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/gtx/quaternion.hpp>
 
 #include "runtime/interpolate.h"
+#include "runtime/rotations.h"
 
 namespace plugc {
 namespace {
 
-/// Axis and angle. An axis of no length turns nothing.
 glm::dquat quaternion_at(const KeyFrames& frames, std::size_t index) {
-  const std::span<const double> r = frames.value(index);
-  const glm::dvec3 axis(r[0], r[1], r[2]);
-  const double length = glm::length(axis);
-  return length > 0 && std::isfinite(length) ? glm::angleAxis(r[3], axis / length) : glm::dquat(1, 0, 0, 0);
-}
-
-std::vector<double> axis_and_angle(const glm::dquat& rotation) {
-  const glm::dquat unit = glm::normalize(rotation);
-  const glm::dvec3 axis = glm::axis(unit);
-  return {axis.x, axis.y, axis.z, glm::angle(unit)};
+  return to_quaternion(frames.value(index));
 }
 
 /// q or -q, which is the same rotation: whichever is nearer.

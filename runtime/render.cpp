@@ -7,6 +7,7 @@
 #include "runtime/draw_view.h"
 #include "runtime/place_scene.h"
 #include "runtime/scene_time.h"
+#include "runtime/script_node.h"
 
 namespace plugc {
 namespace {
@@ -33,6 +34,7 @@ FrameStatistics draw_frame(const gl::Functions& gl, LoadedScene& scene, const Fr
                            Messages& messages) {
   Frame frame{gl, scene, messages, options};
   reach_time(scene, options.time, options.viewpoint, [&] { return look(frame, target); });
+  report_scripts(*scene.package, *scene.packed, scene.events.memory, messages);
   if (!scene.rendered_textures.empty()) {
     frame.viewer = picture_view(frame, target).camera;
     draw_rendered_textures(frame);

@@ -4,12 +4,10 @@
 #include "runtime/scene_time.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
-#include <glm/gtc/quaternion.hpp>
-
 #include "runtime/place_scene.h"
+#include "runtime/rotations.h"
 
 namespace plugc {
 namespace {
@@ -22,12 +20,6 @@ std::vector<double> numbers(const glm::dmat3& m) {
 }
 std::vector<double> numbers(const glm::dmat4& m) {
   return {&m[0][0], &m[0][0] + 16};
-}
-
-std::vector<double> axis_and_angle(const glm::dmat3& rotation) {
-  const glm::dquat q = glm::normalize(glm::quat_cast(rotation));
-  const glm::dvec3 axis = glm::axis(q);
-  return {axis.x, axis.y, axis.z, glm::angle(q)};
 }
 
 /// Adds the event unless the slot holds that value and was told so before.
@@ -67,12 +59,11 @@ void look_for_viewer(const EventNodeInputs& inputs, const glm::dmat4& to_world, 
   if (!inside) return;
   const glm::dmat3 turned = glm::transpose(rotation_of(to_world)) * glm::dmat3(view.eye_to_world);
   add_if_new(events, inputs.node, inputs.slots, 3, numbers(eye), was_inside);
-  add_if_new(events, inputs.node, inputs.slots, 4, axis_and_angle(turned), was_inside);
+  add_if_new(events, inputs.node, inputs.slots, 4, axis_and_angle(glm::quat_cast(turned)), was_inside);
 }
 
 /// What the camera's place sets off.
 std::vector<NodeEvents> view_events(LoadedScene& scene, const View& view, std::int32_t viewpoint) {
-  static const std::set<std::uint32_t> none;
   std::vector<NodeEvents> all;
   const auto* nodes = scene.packed->event_nodes();
   for (flatbuffers::uoffset_t i = 0; nodes != nullptr && i < nodes->size(); ++i) {
@@ -82,8 +73,7 @@ std::vector<NodeEvents> view_events(LoadedScene& scene, const View& view, std::i
     if (node.kind() == PackedEventKind::camera && node.subject() == viewpoint && viewpoint >= 0)
       look_at_camera(node, scene.slots, view, memory, events);
     if (node.kind() == PackedEventKind::proximity_sensor)
-      look_for_viewer({node, scene.slots, none, scene.events.time}, scene.world.at(node.subject()).matrix, view, memory,
-                      events);
+      look_for_viewer({node, scene.slots, {}, scene.events.time}, scene.world.at(node.subject()).matrix, view, memory, events);
     if (!events.sent.empty()) all.push_back(std::move(events));
   }
   return all;

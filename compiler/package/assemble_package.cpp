@@ -185,7 +185,7 @@ void Assembler::add_scene(SceneParts& parts) {
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   pack_clip_planes(scene, *packed);
-  pack_events(scene, *packed);
+  pack_events(scene, sources_, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
   for (const SceneProjector& projector : scene.projectors) packed->projectors.push_back(pack_viewpoint(projector.viewpoint));

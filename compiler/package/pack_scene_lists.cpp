@@ -76,6 +76,8 @@ std::unique_ptr<PackedViewpointT> pack_viewpoint(const SceneViewpoint& viewpoint
   packed->position = viewpoint.position;
   packed->orientation = viewpoint.orientation;
   packed->field_of_view = viewpoint.field_of_view;
+  packed->direction = viewpoint.direction;
+  packed->up = viewpoint.up;
   return packed;
 }
 

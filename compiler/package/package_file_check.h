@@ -123,6 +123,8 @@ enum class Drawn : std::uint8_t { shape, moments, blur, screen_effect, screen_ef
 /// Of one program: -1 for none, which nothing may feed. `word` names a binding.
 bool check_bindings(SceneCheck& scene, Drawn drawn, const char* word, const flatbuffers::Vector<const PackedBinding*>& bindings,
                     std::int32_t program, const Place& place);
+/// The code of a node of the kind script, whose slots are checked.
+bool check_script(PackageCheck& check, const PackedEventNode& node, const Place& place);
 /// Event nodes and routes of the scene, whose slots are checked.
 bool check_events(SceneCheck& scene, const Place& place);
 /// Rendered textures and screen effects.

@@ -34,7 +34,7 @@ Arity arity_of(PackedEventKind kind) {
     case PackedEventKind::time_trigger: return {1, 1};
     case PackedEventKind::bind_stack:
     case PackedEventKind::choose:
-    case PackedEventKind::script: return {};
+    case PackedEventKind::script: return {};  // as many as it has fields
   }
   return {};
 }
@@ -44,6 +44,7 @@ bool has_slots_of_kind(const PackedEventNode& node) {
   const std::size_t inputs = node.inputs()->size(), outputs = node.outputs()->size();
   if (node.kind() == PackedEventKind::bind_stack) return outputs == 1 + 2 * inputs;
   if (node.kind() == PackedEventKind::choose) return inputs >= 2 && outputs == 1;
+  if (node.kind() == PackedEventKind::script) return inputs == outputs;
   const Arity arity = arity_of(node.kind());
   return inputs == arity.inputs && outputs == arity.outputs;
 }
@@ -66,6 +67,7 @@ bool check_width(SceneCheck& scene, const PackedEventNode& node, const Place& pl
   };
   switch (node.kind()) {
     case PackedEventKind::interpolate:
+    case PackedEventKind::script:
     case PackedEventKind::spline: return true;
     case PackedEventKind::interpolate_normal:
       return width(0) % 3 == 0 || scene.check.fail(place, "its value is no list of vectors");
@@ -100,7 +102,11 @@ bool check_subject(SceneCheck& scene, const PackedEventNode& node, const Place& 
 bool check_node(SceneCheck& scene, const PackedEventNode& node, const Place& place) {
   PackageCheck& check = scene.check;
   if (!is_enumerator(node.kind())) return check.fail(place, "its kind is unknown");
+  const bool is_script = node.kind() == PackedEventKind::script;
   if (!has_slots_of_kind(node)) return check.fail(place, "it has not the slots of its kind");
+  if (is_script != (node.script() != nullptr))
+    return check.fail(place, is_script ? "it has no script" : "its kind has no script");
+  if (is_script && !check_script(check, node, place)) return false;
   const auto is_slot = [&](std::uint32_t slot, const Place& at) { return scene.slot(at, "it", slot, 1); };
   return check.each(&place, "input", *node.inputs(), is_slot) && check.each(&place, "output", *node.outputs(), is_slot) &&
          check_width(scene, node, place) && check_subject(scene, node, place);

@@ -112,6 +112,7 @@ bool check_viewpoint(SceneCheck& scene, const PackedViewpoint& viewpoint, const 
   return scene.check.charge(place, *viewpoint.name()) && scene.check.charge(place, *viewpoint.description()) &&
          scene.transform(place, viewpoint.transform()) && scene.slot(place, "position", viewpoint.position(), 3) &&
          scene.slot(place, "orientation", viewpoint.orientation(), 4) &&
+         scene.slot(place, "direction", viewpoint.direction(), 3) && scene.slot(place, "up", viewpoint.up(), 3) &&
          scene.slot(place, "field of view", viewpoint.field_of_view(), viewpoint.orthographic() ? 4 : 1);
 }
 

@@ -293,6 +293,8 @@ void dump_viewpoint(Text& text, const char* word, const PackedViewpoint& viewpoi
        viewpoint.transform(), viewpoint.orthographic() ? ", orthographic" : "");
   line(text, "    slots: position {}, orientation {}, field of view {}", slot(viewpoint.position()),
        slot(viewpoint.orientation()), slot(viewpoint.field_of_view()));
+  if (viewpoint.direction() != kNoSlot || viewpoint.up() != kNoSlot)
+    line(text, "    slots: direction {}, up {}", slot(viewpoint.direction()), slot(viewpoint.up()));
 }
 
 std::string slots(const flatbuffers::Vector<std::uint32_t>& list) {
@@ -301,11 +303,28 @@ std::string slots(const flatbuffers::Vector<std::uint32_t>& list) {
   return text;
 }
 
+/// Without lines, which are others in each encoding of a scene.
+void dump_script(Text& text, const PackedScript& script) {
+  for (flatbuffers::uoffset_t i = 0; i < script.variables()->size(); ++i) {
+    const PackedScriptVariable& variable = *script.variables()->Get(i);
+    const double* const first = script.values()->data() + variable.first();
+    line(text, "    variable {}, field {}: {}", i, variable.field(), fmt::join(first, first + variable.count(), " "));
+  }
+  for (const PackedScriptFunction* function : *script.functions())
+    line(text, "    function of field {}: steps {} to {}, value {}, time {}", function->field(), function->begin(),
+         function->end(), slot(function->value()), slot(function->time()));
+  for (flatbuffers::uoffset_t i = 0; i < script.steps()->size(); ++i) {
+    const PackedScriptStep& step = *script.steps()->Get(i);
+    line(text, "    step {}: {} {}", i, EnumNamePackedScriptOp(step.op()), step.operand());
+  }
+}
+
 void dump_events(Text& text, const PackedScene& scene) {
   for (flatbuffers::uoffset_t i = 0; scene.event_nodes() != nullptr && i < scene.event_nodes()->size(); ++i) {
     const PackedEventNode& node = *scene.event_nodes()->Get(i);
     line(text, "  event node {} {}:{} ->{}{}", i, EnumNamePackedEventKind(node.kind()), slots(*node.inputs()),
          slots(*node.outputs()), node.subject() < 0 ? "" : fmt::format(", subject {}", node.subject()));
+    if (node.script() != nullptr) dump_script(text, *node.script());
   }
   if (scene.routes() == nullptr) return;
   for (const PackedRoute* route : *scene.routes()) line(text, "  route slot {} to slot {}", route->from(), route->to());

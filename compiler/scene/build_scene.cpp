@@ -162,6 +162,8 @@ SceneViewpoint read_viewpoint(SceneContext& context, NodeId node, int transform)
   viewpoint.position = context.slots.slot(node, "position");
   viewpoint.orientation = context.slots.slot(node, "orientation");
   viewpoint.field_of_view = context.slots.slot(node, "fieldOfView");
+  viewpoint.direction = context.slots.slot_if_used(node, "direction");
+  viewpoint.up = context.slots.slot_if_used(node, "up");
   return viewpoint;
 }
 

@@ -31,7 +31,7 @@ bool says_what_is_bound(std::string_view field) {
 
 class Walk {
  public:
-  explicit Walk(const NodeGraph& graph) : graph_(graph) {}
+  Walk(const NodeGraph& graph, const Scripts& scripts) : graph_(graph), scripts_(scripts) {}
 
   void reach(const EventField& field) {
     if (reached_.insert(field).second) work_.push_back(field);
@@ -44,15 +44,18 @@ class Walk {
       if (const auto found = links.find(field); found != links.end()) {
         for (const EventField& next : found->second) reach(next);
       }
-      const EventNodeInfo* info = find_event_node(graph_[field.first].info->name);
+      const EventNodeInfo* info = find_event_node(graph_, scripts_, field.first);
       if (info == nullptr || find_field_index(forward ? info->inputs : info->outputs, field.second) < 0) continue;
-      for (const std::string_view name : forward ? info->outputs : info->inputs) reach({field.first, name});
+      for (const std::string_view name : forward ? info->outputs : info->inputs) {
+        if (!name.empty()) reach({field.first, name});
+      }
     }
     return std::move(reached_);
   }
 
  private:
   const NodeGraph& graph_;
+  const Scripts& scripts_;
   std::set<EventField> reached_;
   std::vector<EventField> work_;
 };
@@ -84,13 +87,14 @@ struct Links {
   }
 };
 
-std::set<EventField> find_live(const NodeGraph& graph, const Links& links, std::span<const DynamicField> dynamic,
-                               const std::set<NodeId>* placed) {
-  Walk forward(graph);
+std::set<EventField> find_live(const NodeGraph& graph, const Scripts& scripts, const Links& links,
+                               std::span<const DynamicField> dynamic, const std::set<NodeId>* placed) {
+  Walk forward(graph, scripts);
   for (const auto& [field, receivers] : links.leaving) {
-    const EventNodeInfo* info = find_event_node(graph[field.first].info->name);
+    const EventNodeInfo* info = find_event_node(graph, scripts, field.first);
     if (info == nullptr || find_field_index(info->outputs, field.second) < 0) continue;
-    if (is_source(graph, field.first, *info, placed)) forward.reach(field);
+    if (is_source(graph, field.first, *info, placed) || sends_at_start(scripts, field.first, field.second))
+      forward.reach(field);
   }
   for (const auto& stack : links.stacks) {
     if (stack) forward.reach(*stack);  // when the scene is loaded, the first of its kind is bound
@@ -108,17 +112,17 @@ std::optional<BindKind> bind_kind(const NodeGraph& graph, NodeId node) {
   return graph.is(node, "Fog") ? std::optional(BindKind::fog) : std::nullopt;
 }
 
-std::set<EventField> find_live_fields(const NodeGraph& graph, std::span<const DynamicField> dynamic) {
+std::set<EventField> find_live_fields(const NodeGraph& graph, const Scripts& scripts, std::span<const DynamicField> dynamic) {
   if (graph.routes().empty() && dynamic.empty()) return {};
-  return find_live(graph, Links(graph), dynamic, nullptr);
+  return find_live(graph, scripts, Links(graph), dynamic, nullptr);
 }
 
-EventFlow find_event_flow(const NodeGraph& graph, std::span<const EventField> drawn, std::span<const DynamicField> dynamic,
-                          const std::set<NodeId>& placed) {
+EventFlow find_event_flow(const NodeGraph& graph, const Scripts& scripts, std::span<const EventField> drawn,
+                          std::span<const DynamicField> dynamic, const std::set<NodeId>& placed) {
   const Links links(graph);
-  Walk backward(graph);
+  Walk backward(graph, scripts);
   for (const EventField& field : drawn) backward.reach(field);
-  return {find_live(graph, links, dynamic, &placed), backward.run(links.arriving, false)};
+  return {find_live(graph, scripts, links, dynamic, &placed), backward.run(links.arriving, false)};
 }
 
 }  // namespace plugc

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "scene/dynamic_fields.h"
-#include "scene/event_kinds.h"
+#include "scene/scripts.h"
 
 namespace plugc {
 
@@ -34,11 +34,11 @@ struct EventFlow {
 };
 
 /// Fields at which an event can happen while nobody touches the scene, wherever sensors and viewpoints stand.
-std::set<EventField> find_live_fields(const NodeGraph& graph, std::span<const DynamicField> dynamic);
+std::set<EventField> find_live_fields(const NodeGraph& graph, const Scripts& scripts, std::span<const DynamicField> dynamic);
 
 /// `drawn`: fields whose values are drawn. `dynamic`: fields that the host writes. `placed`: the sensors of the camera and the
 /// viewpoints that have a place in the scene.
-EventFlow find_event_flow(const NodeGraph& graph, std::span<const EventField> drawn, std::span<const DynamicField> dynamic,
-                          const std::set<NodeId>& placed);
+EventFlow find_event_flow(const NodeGraph& graph, const Scripts& scripts, std::span<const EventField> drawn,
+                          std::span<const DynamicField> dynamic, const std::set<NodeId>& placed);
 
 }  // namespace plugc

@@ -39,7 +39,8 @@ struct SceneContext {
         options(scene_options),
         diagnostics(sink),
         dynamic(find_dynamic_fields(node_graph, scene_options.dynamic, scene.known_dynamic, sink)),
-        live(find_live_fields(node_graph, dynamic)),
+        scripts(read_scripts(node_graph, source_set, file_access, sink)),
+        live(find_live_fields(node_graph, scripts, dynamic)),
         slots(node_graph, scene.slots, dynamic) {}
 
   const NodeGraph& graph;
@@ -49,6 +50,7 @@ struct SceneContext {
   Diagnostics& diagnostics;
   Scene scene;
   std::vector<DynamicField> dynamic;
+  Scripts scripts;
   std::set<EventField> live;  ///< Where events can happen while nobody touches the scene.
   SlotTable slots;
   std::array<BindStack, kBindKinds> stacks;  ///< By BindKind.

@@ -43,7 +43,7 @@ bool is_fixed(const NodeGraph& graph, const EventField& field) {
 
 }  // namespace
 
-bool is_unmade(const NodeGraph& graph, const EventField& field) {
+bool is_unmade(const NodeGraph& graph, const Scripts& scripts, const EventField& field) {
   const NodeId node = field.first;
   if (bind_kind(graph, node) && (field.second == "isBound" || field.second == "bindTime")) return false;
   const bool by_hand = graph.is(node, "X3DPointingDeviceSensorNode") || graph.is(node, "X3DKeyDeviceSensorNode") ||
@@ -51,14 +51,24 @@ bool is_unmade(const NodeGraph& graph, const EventField& field) {
   constexpr std::string_view kOfFrame[] = {"rendering", "viewing", "projection"};
   const bool of_frame = graph.is(node, "RenderedTexture") && std::ranges::find(kOfFrame, field.second) != std::end(kOfFrame);
   if (by_hand || of_frame) return false;
-  if (graph.is(node, "X3DScriptNode")) return true;
-  const EventNodeInfo* info = find_event_node(graph[node].info->name);
+  const EventNodeInfo* info = find_event_node(graph, scripts, node);
+  if (info == nullptr && graph.is(node, "X3DScriptNode")) return true;
   if (info != nullptr && find_field_index(info->outputs, field.second) >= 0) return false;
+  const std::span<const InterfaceField> own = graph[node].interface();
+  const auto mine = std::ranges::find(own, field.second, &InterfaceField::name);
+  if (mine != own.end()) return mine->access == AccessType::output_only;
   const FieldInfo* declared = find_field_info(*graph[node].info, field.second);
   return declared != nullptr && declared->access == FieldAccess::output_only;
 }
 
 namespace {
+
+/// Why nothing comes of it.
+std::string why_unmade(const NodeGraph& graph, const Scripts& scripts, NodeId sender) {
+  if (scripts.contains(sender)) return "no function of its code stores to it";
+  return fmt::format("plugc does not {} a `{}`", graph.is(sender, "X3DScriptNode") ? "run" : "evaluate",
+                     graph[sender].info->name);
+}
 
 void report_ignored(SceneContext& context, const GraphRoute& route, std::string_view why) {
   context.diagnostics.report(DiagnosticId::event_ignored, route.span, std::string(why));
@@ -76,11 +86,10 @@ void report_unfollowed(SceneContext& context, const EventFlow& flow) {
                      fmt::format("events to `{}.{}` are not followed: it is fixed when the scene is compiled, so the field "
                                  "keeps its first value",
                                  receiver, to.second));
-    } else if (flow.reaching.contains(to) && is_unmade(graph, from)) {
-      report_ignored(
-          context, route,
-          fmt::format("`{}.{}` sends nothing: plugc does not {} a `{}`, so `{}.{}` keeps its first value", sender, from.second,
-                      graph.is(route.from, "X3DScriptNode") ? "run" : "evaluate", sender, receiver, to.second));
+    } else if (flow.reaching.contains(to) && is_unmade(graph, context.scripts, from)) {
+      report_ignored(context, route,
+                     fmt::format("`{}.{}` sends nothing: {}, so `{}.{}` keeps its first value", sender, from.second,
+                                 why_unmade(graph, context.scripts, route.from), receiver, to.second));
     }
   }
 }
@@ -114,7 +123,8 @@ struct OrderGraph {
 
 class EventReader {
  public:
-  EventReader(SceneContext& context, const EventFlow& flow) : context_(context), graph_(context.graph), flow_(flow) {}
+  EventReader(SceneContext& context, const EventFlow& flow)
+      : context_(context), graph_(context.graph), scripts_(context.scripts), flow_(flow) {}
 
   void run(const std::map<NodeId, int>& subjects) {
     for (const GraphRoute& route : graph_.routes()) {
@@ -135,6 +145,7 @@ class EventReader {
   void add_route(const GraphRoute& route);
   void add_node(NodeId node, const std::map<NodeId, int>& subjects);
   std::uint32_t slot(const EventField& field);
+  std::uint32_t slot_beside(const EventField& field, const EventField& other);
   std::uint32_t input_slot(const EventField& field);
   std::vector<NodeId> in_order() const;
   NodeId stack_id(std::size_t kind) const { return {static_cast<std::uint32_t>(graph_.size() + kind)}; }
@@ -143,6 +154,7 @@ class EventReader {
 
   SceneContext& context_;
   const NodeGraph& graph_;
+  const Scripts& scripts_;
   const EventFlow& flow_;
   std::set<EventField> sending_, receiving_;
   std::set<NodeId> nodes_;
@@ -161,9 +173,16 @@ std::uint32_t EventReader::slot(const EventField& field) {
   return is_list ? context_.slots.slot_of_size(node, name, list_size(graph_, node)) : context_.slots.declared_slot(node, name);
 }
 
+/// How long a Script's list is says only who is at the other end of the route: whoever has a slot already.
+std::uint32_t EventReader::slot_beside(const EventField& field, const EventField& other) {
+  const auto known = context_.slots.find(other.first, other.second);
+  if (!known || !scripts_.contains(field.first)) return slot(field);
+  return context_.slots.list_slot(field.first, field.second, context_.scene.slots[*known].values.size());
+}
+
 void EventReader::add_route(const GraphRoute& route) {
   const EventField from{route.from, route.from_field}, to{route.to, route.to_field};
-  const std::uint32_t sent = slot(from), received = slot(to);
+  const std::uint32_t sent = slot_beside(from, to), received = slot_beside(to, from);
   if (sent == kSceneNoSlot || received == kSceneNoSlot) return;  // strings and nodes
   const auto& slots = context_.scene.slots;
   if (slots[sent].values.size() != slots[received].values.size()) {
@@ -176,20 +195,21 @@ void EventReader::add_route(const GraphRoute& route) {
   sending_.insert(from);
   receiving_.insert(to);
   for (const EventField& end : {from, to}) {
-    if (find_event_node(graph_[end.first].info->name) != nullptr) nodes_.insert(end.first);
+    if (find_event_node(graph_, scripts_, end.first) != nullptr) nodes_.insert(end.first);
   }
 }
 
 std::uint32_t EventReader::input_slot(const EventField& field) {
   const auto& [node, name] = field;
   if (const auto known = context_.slots.find(node, name)) return *known;
-  const FieldInfo& info = *find_field_info(*graph_[node].info, name);
-  const bool empty_list = is_multiple(info.type) && graph_.field(node, name).numbers.empty();
-  return empty_list || !holds_value(info.access) ? kSceneNoSlot : context_.slots.slot_if_used(node, name);
+  const FieldInfo* info = find_field_info(*graph_[node].info, name);
+  if (info == nullptr) return kSceneNoSlot;  // of a Script: nobody sends to it
+  const bool empty_list = is_multiple(info->type) && graph_.field(node, name).numbers.empty();
+  return empty_list || !holds_value(info->access) ? kSceneNoSlot : context_.slots.slot_if_used(node, name);
 }
 
 void EventReader::add_node(NodeId node, const std::map<NodeId, int>& subjects) {
-  const EventNodeInfo& info = *find_event_node(graph_[node].info->name);
+  const EventNodeInfo& info = *find_event_node(graph_, scripts_, node);
   const bool sends = std::ranges::any_of(info.outputs, [&](std::string_view name) { return sending_.contains({node, name}); });
   if (!sends) return;  // a viewpoint that only moves
   SceneEventNode added;
@@ -200,6 +220,7 @@ void EventReader::add_node(NodeId node, const std::map<NodeId, int>& subjects) {
                                                             : context_.slots.find(node, name).value_or(kSceneNoSlot));
   for (const std::string_view name : info.inputs) added.inputs.push_back(input_slot({node, name}));
   if (const auto subject = subjects.find(node); subject != subjects.end()) added.subject = subject->second;
+  if (const auto script = scripts_.find(node); script != scripts_.end()) added.script = script->second.program;
   context_.scene.event_nodes.push_back(std::move(added));
 }
 
@@ -230,7 +251,7 @@ void EventReader::join_stacks(OrderGraph& graph) const {
 std::vector<NodeId> EventReader::in_order() const {
   OrderGraph graph;
   for (const NodeId node : nodes_) {
-    const EventNodeInfo& info = *find_event_node(graph_[node].info->name);
+    const EventNodeInfo& info = *find_event_node(graph_, scripts_, node);
     graph.waiting.try_emplace({node, ""}, 0);
     for (const std::string_view name : info.outputs) graph.join({node, ""}, {node, name});
     for (const std::string_view name : info.inputs) {
@@ -252,7 +273,7 @@ void read_events(SceneContext& context) {
   add_set_bind_slots(context);
   const std::map<NodeId, int> subjects = find_subjects(context);
   const std::vector<EventField> drawn = context.slots.routed_fields();
-  const EventFlow flow = find_event_flow(context.graph, drawn, context.dynamic, keys(subjects));
+  const EventFlow flow = find_event_flow(context.graph, context.scripts, drawn, context.dynamic, keys(subjects));
   report_unfollowed(context, flow);
   EventReader(context, flow).run(subjects);
 }

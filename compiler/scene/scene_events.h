@@ -10,6 +10,6 @@ namespace plugc {
 void read_events(SceneContext& context);
 
 /// Whether what sends from there is a node whose events plugc does not make, though they would come without anybody's hand.
-bool is_unmade(const NodeGraph& graph, const EventField& field);
+bool is_unmade(const NodeGraph& graph, const Scripts& scripts, const EventField& field);
 
 }  // namespace plugc

@@ -113,6 +113,18 @@ std::uint32_t SlotTable::own(SlotType type, std::vector<double> values) {
   return static_cast<std::uint32_t>(slots_.size() - 1);
 }
 
+std::uint32_t SlotTable::list_slot(NodeId node, std::string_view field, std::size_t size) {
+  const std::span<const InterfaceField> own = graph_[node].interface();
+  const auto declared = std::ranges::find(own, field, &InterfaceField::name);
+  if (declared == own.end() || !is_multiple(declared->type) || declared->value.numbers.size() == size)
+    return declared_slot(node, field);
+  const std::vector<double> zeros(size, 0.0);
+  FieldValue value;
+  value.type = declared->type;
+  value.numbers = zeros;
+  return add(node, field, value);
+}
+
 std::optional<std::uint32_t> SlotTable::find(NodeId node, std::string_view field) const {
   const auto found = known_.find({node, field});
   if (found == known_.end()) return std::nullopt;

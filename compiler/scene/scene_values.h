@@ -33,6 +33,8 @@ class SlotTable {
   std::uint32_t own(SlotType type, std::vector<double> values);
   /// The slot of a field, of the node's own interface or of its type.
   std::uint32_t declared_slot(NodeId node, std::string_view field);
+  /// The same; one of the node's own interface that holds a list has that many numbers, zeros where it is written otherwise.
+  std::uint32_t list_slot(NodeId node, std::string_view field, std::size_t size);
   /// A value that nothing changes; equal ones share a slot.
   std::uint32_t constant(SlotType type, std::vector<double> values);
 

@@ -60,7 +60,6 @@ enum class ScriptOp : std::uint8_t {
   negate,
   multiply,
   divide,
-  divide_whole,
   modulo,
   power,
   least,

@@ -145,6 +145,25 @@ inline PackedScreenEffectT sample_screen_effect() {
   return effect;
 }
 
+/// `function power(value, time) color := value * 2`, of a Script with the fields power and color.
+inline std::unique_ptr<PackedEventNodeT> sample_script() {
+  auto node = std::make_unique<PackedEventNodeT>();
+  node->kind = PackedEventKind::script;
+  node->inputs = {kSampleScalar, kNoSlot};
+  node->outputs = {kNoSlot, kSampleColor};
+  node->script = std::make_unique<PackedScriptT>();
+  node->script->origin = std::make_unique<PackedLineOrigin>(1, 9);
+  node->script->values = {0, 0, 0, 2};
+  node->script->variables = {{0, 3, 1}, {3, 0, -1}, {3, 1, -1}};
+  node->script->functions = {{0, 1, kNoSlot, 0, 5}};
+  node->script->steps = {{1, 10, PackedScriptOp::load},
+                         {2, 10, PackedScriptOp::load},
+                         {0, 10, PackedScriptOp::multiply},
+                         {0, 10, PackedScriptOp::store},
+                         {0, 10, PackedScriptOp::drop}};
+  return node;
+}
+
 inline PackedSceneT sample_scene() {
   PackedSceneT scene;
   scene.name = "kettle.x3dv";
@@ -184,6 +203,7 @@ inline PackedSceneT sample_scene() {
   scene.event_nodes.back()->kind = PackedEventKind::choose;
   scene.event_nodes.back()->inputs = {kSampleScalar, kSampleColor, kSampleColor};
   scene.event_nodes.back()->outputs = {kSampleColor};
+  scene.event_nodes.push_back(sample_script());
   scene.routes = {{kSampleColor, kSampleColor}};
   scene.live_meshes.push_back(std::make_unique<PackedLiveMeshT>(sample_live_mesh()));
   scene.bound_viewpoint_now = kSampleScalar;

@@ -503,6 +503,8 @@ TEST(PackageFile, DumpsOneFactALine) {
         "  shape 0 `Kettle`: transform 1, mesh 0, program 0\n", "      color = slot a 0 b 0 scale 1\n", "    depth program 1\n",
         "    switch slot 1\n    switch light 0\n    variants by state 1 0 1 0\n    variant 1: program 1\n",
         "  viewpoint 0 `Front` `from the front`: transform -1\n",
+        "  event node 1 script: 1 - -> - 0\n    variable 0, field 1: 0 0 0\n",
+        "    function of field 0: steps 0 to 5, value 1, time -\n    step 0: load 1\n",
         "effect 0 `Fresnel`: scene 0, source 1 line 7\n  needs: `fragment_modify`\n  offers: `fresnel_change`\n"
         "  field `power`: slot 1\n  kind `phong`: choice 0, program 0\n"}) {
     EXPECT_NE(dump.find(line), std::string::npos) << line << "is not in\n" << dump;
@@ -514,6 +516,45 @@ TEST(PackageFile, DumpsNamesWithoutBreakingTheLine) {
   package.sources = {"a\nb"};
   const std::vector<std::uint8_t> bytes = write_package(package);
   EXPECT_EQ(dump_package(*open_package(bytes).package), "package by ``\nsource 0 `a\\x0ab`\n");
+}
+
+TEST(PackageFile, ChecksScripts) {
+  const auto error = [](auto change) { return error_after([&](PackageT& p) { change(*p.scenes[0]->event_nodes[1]); }); };
+  const std::string place = "scene 0, event node 1";
+  EXPECT_EQ(error([](PackedEventNodeT& n) { n.script = nullptr; }), place + ": it has no script");
+  EXPECT_EQ(error([](PackedEventNodeT& n) { n.outputs.pop_back(); }), place + ": it has not the slots of its kind");
+  EXPECT_EQ(error([](PackedEventNodeT& n) {
+              n.kind = PackedEventKind::boolean_filter;
+              n.inputs = {kSampleScalar};
+              n.outputs = {kSampleScalar, kNoSlot, kNoSlot};
+            }),
+            place + ": its kind has no script");
+  EXPECT_EQ(error([](PackedEventNodeT& n) { n.script->origin = std::make_unique<PackedLineOrigin>(2, 9); }),
+            place + ": source 2 does not exist, there are 2");
+  EXPECT_EQ(error([](PackedEventNodeT& n) {
+              n.script->variables[2] = {2, 2, 5};
+            }),
+            place + ", variable 2: its value does not lie in the list, each in a place of its own");
+  EXPECT_EQ(error([](PackedEventNodeT& n) {
+              n.script->variables[2] = {3, 1, 2};
+            }),
+            place + ", variable 2: field 2 does not exist");
+  EXPECT_EQ(error([](PackedEventNodeT& n) {
+              n.script->functions[0] = {0, 3, kNoSlot, 0, 5};
+            }),
+            place + ", function 0: variable 3 does not exist, there are 3");
+  EXPECT_EQ(error([](PackedEventNodeT& n) {
+              n.script->functions[0] = {0, 1, kNoSlot, 2, 6};
+            }),
+            place + ", function 0: its steps do not exist");
+  EXPECT_EQ(error([](PackedEventNodeT& n) {
+              n.script->steps[3] = {3, 10, PackedScriptOp::store};
+            }),
+            place + ", step 3: variable 3 does not exist, there are 3");
+  EXPECT_EQ(error([](PackedEventNodeT& n) {
+              n.script->steps[3] = {0, 10, PackedScriptOp{200}};
+            }),
+            place + ", step 3: its kind is unknown");
 }
 
 TEST(PackageFile, ChecksEvents) {

@@ -1,0 +1,22 @@
+#pragma once
+// A Script in the event graph.
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/event_node.h"
+#include "runtime/messages.h"
+
+namespace plugc {
+
+/// Whether the Script does anything when an event reaches that field.
+bool script_listens(const PackedEventNode& node, std::size_t field);
+
+/// What a Script sends that time or events wake: when it is woken first, `initialize` runs, then a function for each event.
+std::vector<SentEvent> wake_script(const EventNodeInputs& inputs, ScriptMemory& memory);
+
+/// Says of each Script of the scene what it has to be told of.
+void report_scripts(const Package& package, const PackedScene& scene, const std::vector<EventMemory>& memory,
+                    Messages& messages);
+
+}  // namespace plugc
