@@ -6,6 +6,7 @@
 #include "runtime/backdrop.h"
 #include "runtime/draw_shadow_maps.h"
 #include "runtime/gl/pass.h"
+#include "runtime/sight_limit.h"
 
 namespace plugc {
 namespace {
@@ -43,6 +44,7 @@ void draw_view(Frame& frame, const FrameTarget& target, const SceneView& view) {
                        background_of(frame.scene, view.background_color));
   pass.target_size = {target.width, target.height};
   frame.statistics.draw_calls += draw_backdrop(frame.gl, frame.scene, pass, frame.messages);
+  if (sight_limit(*frame.scene.packed, frame.scene.slots) > 0) gl::clip_depths(frame.gl);
   for (const std::uint32_t shape : draw_order(frame.scene, view.camera)) {
     if (static_cast<std::int32_t>(shape) == view.without_shape) continue;
     frame.statistics.draw_calls += draw_shape(frame.gl, frame.scene, pass, shape, frame.messages) ? 1 : 0;

@@ -71,6 +71,7 @@ enum class CastleSource : std::uint8_t {
   hatch_color,
   fog_color,
   fog_visibility_range,
+  fog_plane,
   camera_matrix,
   camera_inverse_matrix,
   camera_rotation_matrix,

@@ -11,6 +11,7 @@
 
 #include "package/assemble_events.h"
 #include "package/pack_attributes.h"
+#include "package/pack_fog.h"
 #include "package/pack_geometry.h"
 #include "package/pack_offscreen.h"
 #include "package/pack_program.h"
@@ -170,9 +171,11 @@ void Assembler::add_scene(SceneParts& parts) {
   packed->name = scene.name;
   packed->background_color = scene.background_color;
   packed->bound_viewpoint = scene.bound_viewpoint;
+  packed->visibility_limit = scene.visibility_limit;
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   pack_clip_planes(scene, *packed);
+  pack_fog_planes(scene, *packed);
   pack_events(scene, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));

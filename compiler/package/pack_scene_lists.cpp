@@ -76,6 +76,7 @@ std::unique_ptr<PackedViewpointT> pack_viewpoint(const SceneViewpoint& viewpoint
   packed->position = viewpoint.position;
   packed->orientation = viewpoint.orientation;
   packed->field_of_view = viewpoint.field_of_view;
+  packed->field_is_vertical = viewpoint.field_is_vertical;
   return packed;
 }
 

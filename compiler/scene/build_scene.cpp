@@ -19,6 +19,11 @@ void add_dynamic_slots(SceneContext& context) {
   for (const DynamicField& field : context.dynamic) context.slots.declared_slot(field.node, field.name);
 }
 
+bool limits_sight(const SceneContext& context, NodeId navigation_info) {
+  return context.graph.number(navigation_info, "visibilityLimit") > 0 ||
+         context.slots.may_change(navigation_info, "visibilityLimit");
+}
+
 }  // namespace
 
 void SceneWalk::run() {
@@ -27,6 +32,8 @@ void SceneWalk::run() {
   const std::span<const NodeId> roots = alone ? std::span<const NodeId>(stage) : graph_.roots();
   check_top(roots);
   visit_list(roots);
+  if (navigation_info_.valid() && limits_sight(context_, navigation_info_))
+    context_.scene.visibility_limit = context_.slots.slot(navigation_info_, "visibilityLimit");
   add_background();
   if (context_.options.all_branches) add_unreached_effects();
   finish_shapes(0);
@@ -110,6 +117,7 @@ SceneViewpoint read_viewpoint(SceneContext& context, NodeId node, int transform)
   viewpoint.position = context.slots.slot(node, "position");
   viewpoint.orientation = context.slots.slot(node, "orientation");
   viewpoint.field_of_view = context.slots.slot(node, "fieldOfView");
+  viewpoint.field_is_vertical = !viewpoint.orthographic && context.graph.boolean(node, "fieldOfViewForceVertical");
   return viewpoint;
 }
 

@@ -246,7 +246,8 @@ struct SceneMaterial {
   std::uint32_t specular = kSceneNoSlot, emissive = kSceneNoSlot, shininess = kSceneNoSlot, transparency = kSceneNoSlot;
 };
 
-/// X3D 4.1, clause 24: how colours change into the fog's with their distance. `either`: as the bound one of several, or the fog's slot, says.
+/// X3D 4.1, clause 24: how colours change into the fog's with their distance. `either`: as the bound one of several, or the
+/// fog's slot, says.
 enum class FogKind : std::uint8_t { none, linear, exponential, either };
 
 struct SceneFog {
@@ -254,6 +255,9 @@ struct SceneFog {
   int transform = -1;  ///< In whose units the visibility range is.
   std::uint32_t color = kSceneNoSlot, visibility_range = kSceneNoSlot;
   std::uint32_t exponential = kSceneNoSlot;  ///< Of `either`: not 0 for an exponential one.
+  /// Of one that lies in layers (the reference engine's `volumetric`): along what it thickens, and from where on.
+  bool volumetric = false;
+  std::uint32_t direction = kSceneNoSlot, start = kSceneNoSlot;
 };
 
 enum class BlendFactor : std::uint8_t {
@@ -351,6 +355,7 @@ struct SceneViewpoint {
   bool orthographic = false;
   std::uint32_t position = kSceneNoSlot, orientation = kSceneNoSlot, field_of_view = kSceneNoSlot;
   std::uint32_t direction = kSceneNoSlot, up = kSceneNoSlot;  ///< In place of the orientation, where direction is not 0.
+  bool field_is_vertical = false;                             ///< The reference engine's `fieldOfViewForceVertical`.
 };
 
 /// What projects texture coordinates: a viewpoint, which need not stand among those to look through, or a light.
@@ -423,7 +428,7 @@ struct SceneEventNode {
   NodeId node;                                 ///< Not valid for one of the renderer's own.
   std::vector<std::uint32_t> inputs, outputs;  ///< Slots; none where nothing of the scene is different from the default.
   int subject = -1;  ///< The transform of a proximity sensor, the viewpoint of a camera, the first that a stack binds.
-  std::optional<ScriptProgram> script;         ///< Of a Script, whose inputs and outputs are its fields in order.
+  std::optional<ScriptProgram> script;  ///< Of a Script, whose inputs and outputs are its fields in order.
 };
 
 /// An event at the slot `from` is one at `to`.
@@ -459,7 +464,8 @@ struct Scene {
   std::uint32_t bound_viewpoint_now = kSceneNoSlot, bound_background = kSceneNoSlot, bound_fog = kSceneNoSlot;
   std::vector<int> bindable_fogs;  ///< Into fogs; -1: one that lets everything through.
   std::uint32_t background_color = kSceneNoSlot;
-  std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
+  std::uint32_t global_ambient = kSceneNoSlot;    ///< Light that is everywhere; times each material's ambient colour.
+  std::uint32_t visibility_limit = kSceneNoSlot;  ///< Of the bound NavigationInfo: nothing farther is drawn; 0: no limit.
 };
 
 /// Whether some shape stands in the world; a backdrop alone shows no effect.

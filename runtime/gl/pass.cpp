@@ -79,6 +79,10 @@ void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
+void clip_depths(const Functions& gl) {
+  gl.Disable(GL_DEPTH_CLAMP);
+}
+
 void set_far_away(const Functions& gl, bool on) {
   gl.DepthRange(on ? 1.0 : 0.0, 1.0);  // unlike switching the depth test off, this needs no other code for the program
 }

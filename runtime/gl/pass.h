@@ -22,6 +22,9 @@ void begin_color_pass(const Functions& gl, const Framebuffer& framebuffer, GLsiz
 void begin_depth_pass(const Functions& gl, const Framebuffer& framebuffer, GLsizei size, float scale, float bias,
                       bool reversed);
 
+/// From here on in this pass, what lies in front of the near or behind the far plane is cut away.
+void clip_depths(const Functions& gl);
+
 /// While it is on, whatever is drawn lies as far away as can be: nothing is behind it.
 void set_far_away(const Functions& gl, bool on);
 
