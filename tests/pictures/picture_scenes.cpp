@@ -93,8 +93,6 @@ constexpr std::string_view kExceptions[] = {
     // of the reference engine and of other viewers, not drawn
     "ImageBackground",
     "MultiGeneratedTextureCoordinate",
-    "Plane",
-    "Text3D",
     "ViewpointMirror",
     // of the reference engine, drawn as the nodes that they extend, or only settings
     "KambiAppearance",
