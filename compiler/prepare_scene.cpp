@@ -118,11 +118,16 @@ Primitive primitive_of(const Mesh& mesh) {
   return Primitive::triangles;
 }
 
+bool has_translucent_colors(const Mesh* mesh) {
+  return mesh != nullptr && std::ranges::any_of(mesh->colors, [](const glm::vec4& color) { return color.a < 1; });
+}
+
 /// X3D 4.1, 12.2.3: as alphaMode says, else alpha between 0 and 1 blends and alpha that is all or nothing is tested.
-AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
+AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape, const Mesh* mesh) {
   if (shape.alpha_mode == AlphaMode::opaque) return AlphaUse::opaque;
   if (shape.alpha_mode == AlphaMode::mask) return AlphaUse::tested;
   if (shape.alpha_mode == AlphaMode::blend) return AlphaUse::blended;
+  if (has_translucent_colors(mesh)) return AlphaUse::blended;
   AlphaUse use = AlphaUse::opaque;
   for (const int material : {shape.material, shape.back_material}) {
     if (material < 0) continue;
@@ -134,8 +139,7 @@ AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape) {
     const auto& image = parts.images[static_cast<std::size_t>(texture.texture)];
     if (image != nullptr) use = std::max(use, image->alpha);
   }
-  const bool of_backdrop = shape.part != ScenePart::world;  // its pictures lie over the gradients (X3D 4.1, 24.2.1)
-  return of_backdrop && use == AlphaUse::tested ? AlphaUse::blended : use;
+  return use;
 }
 
 /// Recipes, each once.
@@ -246,7 +250,7 @@ void plan_screen_effects(SceneParts& parts, RecipeList& recipes) {
 std::vector<AlphaUse> prepare_alpha(SceneParts& parts) {
   std::vector<AlphaUse> alpha;
   for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
-    alpha.push_back(shape_alpha(parts, parts.scene.shapes[i]));
+    alpha.push_back(shape_alpha(parts, parts.scene.shapes[i], parts.shapes[i].mesh.get()));
     parts.shapes[i].blended = alpha.back() == AlphaUse::blended;
   }
   return alpha;

@@ -11,6 +11,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "runtime/perspective.h"
+#include "runtime/sight_limit.h"
 #include "runtime/world.h"
 
 namespace plugc {
@@ -65,12 +66,12 @@ DepthRange depth_range(const World& world, const View& view) {
   return range;
 }
 
-glm::dmat4 fitted_perspective(const DepthRange& range, double field, double aspect) {
+glm::dmat4 fitted_perspective(const DepthRange& range, double field, double aspect, bool is_vertical = false) {
   const double far = range.high > 0 ? range.high * kMargin : 100.0;
   const double nearest = range.cut_by_eye ? 0.0 : std::min(range.nearest_in_front / kMargin, far);
   const double near = std::max(nearest, far * kNearestRatio);
   const double distance = std::max(far, near * kMargin);
-  return perspective(field, aspect, near, distance);
+  return perspective(field, aspect, near, distance, is_vertical);
 }
 
 /// `field` is left, bottom, right, top; the shorter way is widened to the picture's shape (X3D 4.1, 23.4.5).
@@ -175,10 +176,10 @@ View view_from(const PackedViewpoint& viewpoint, const Slots& slots, const World
   const glm::dvec4 position = place * glm::dvec4(slots.vector3(viewpoint.position(), {0, 0, 10}), 1);
   View view = look_along(glm::dvec3(position), glm::dmat3(place) * way.direction, glm::dmat3(place) * way.up);
   const DepthRange range = depth_range(world, view);
-  view.projection =
-      viewpoint.orthographic()
-          ? orthographic(range, slots.vector4(viewpoint.field_of_view(), {-1, -1, 1, 1}), aspect)
-          : fitted_perspective(range, clamped_angle(slots.number(viewpoint.field_of_view(), kDefaultFieldOfView)), aspect);
+  view.projection = viewpoint.orthographic()
+                        ? orthographic(range, slots.vector4(viewpoint.field_of_view(), {-1, -1, 1, 1}), aspect)
+                        : fitted_perspective(range, clamped_angle(slots.number(viewpoint.field_of_view(), kDefaultFieldOfView)),
+                                             aspect, viewpoint.field_is_vertical());
   return view;
 }
 
@@ -198,8 +199,10 @@ View make_camera(const PackedScene& scene, const Slots& slots, const World& worl
                  Messages& messages) {
   report_unknown_viewpoint(scene, wanted, messages);
   const std::int32_t bound = bound_viewpoint(scene, slots, wanted);
-  if (bound >= 0) return view_from(*scene.viewpoints()->Get(static_cast<std::uint32_t>(bound)), slots, world, aspect);
-  return view_of_world(world, aspect);
+  View view = bound < 0 ? view_of_world(world, aspect)
+                        : view_from(*scene.viewpoints()->Get(static_cast<std::uint32_t>(bound)), slots, world, aspect);
+  limit_sight(view, sight_limit(scene, slots));
+  return view;
 }
 
 }  // namespace plugc

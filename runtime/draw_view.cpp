@@ -6,6 +6,7 @@
 #include "runtime/backdrop.h"
 #include "runtime/draw_shadow_maps.h"
 #include "runtime/gl/pass.h"
+#include "runtime/sight_limit.h"
 
 namespace plugc {
 namespace {
@@ -44,7 +45,7 @@ void draw_view(Frame& frame, const FrameTarget& target, const SceneView& view) {
   gl::begin_color_pass(frame.gl, target.framebuffer, target.width, target.height,
                        background_of(frame.scene, view.background_color));
   frame.statistics.draw_calls += draw_backdrop(frame.gl, frame.scene, pass, view.backdrop_of, frame.messages);
-  if (view.clips_near) gl::clip_depth(frame.gl, true);
+  if (view.clips_near || sight_limit(*frame.scene.packed, frame.scene.slots) > 0) gl::clip_depth(frame.gl, true);
   for (const std::uint32_t shape : draw_order(frame.scene, view.camera)) {
     if (static_cast<std::int32_t>(shape) == view.without_shape) continue;
     frame.statistics.draw_calls += draw_shape(frame.gl, frame.scene, pass, shape, frame.messages) ? 1 : 0;

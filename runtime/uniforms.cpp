@@ -191,6 +191,16 @@ glm::dvec4 eye_clip_plane(const PackedClipPlane& plane, const UniformInputs& inp
   return inputs.slots.vector4(plane.plane(), nothing_cut) * glm::inverse(to_eye);
 }
 
+/// In eye space units, as the visibility range; a direction without length is the default's.
+glm::dvec4 eye_fog_plane(const PackedFogPlane& plane, const UniformInputs& inputs) {
+  const glm::dmat4& to_world = inputs.world.at(plane.transform()).matrix;
+  const glm::dvec3 written = inputs.slots.vector3(plane.direction(), {0, -1, 0});
+  const double length = glm::length(written);
+  const glm::dvec3 direction = length > 0 ? written / length : glm::dvec3(0, -1, 0);
+  const glm::dvec4 depth(direction, -inputs.slots.number(plane.start(), 0));
+  return average_scale(to_world) * (depth * glm::inverse(inputs.view.world_to_eye * to_world));
+}
+
 Numbers source_numbers(const PackedBinding& binding, const Wanted& wanted, const UniformInputs& inputs) {
   switch (binding.source()) {
     case PackedSource::slot: return slot_numbers(binding.a(), 1.0, wanted, inputs.slots);
@@ -206,6 +216,7 @@ Numbers source_numbers(const PackedBinding& binding, const Wanted& wanted, const
     case PackedSource::screen_height: return {inputs.target_size.y};
     case PackedSource::fog_visibility_range: return {visibility_range(binding, inputs)};
     case PackedSource::clip_plane: return numbers(eye_clip_plane(*inputs.scene.clip_planes()->Get(binding.a()), inputs));
+    case PackedSource::fog_plane: return numbers(eye_fog_plane(*inputs.scene.fog_planes()->Get(binding.a()), inputs));
     case PackedSource::target_size: return {inputs.target_size.x, inputs.target_size.y};
     case PackedSource::color_and_alpha:
       return numbers(glm::dvec4(inputs.slots.vector3(binding.a(), glm::dvec3(1)), inputs.slots.number(binding.b(), 1)));

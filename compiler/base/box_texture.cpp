@@ -1,10 +1,9 @@
-// The axes of the box are sorted by length, stably, so that ties keep the order x, y, z; the first gives S, the second T, and
-// both are divided by the first's length.
+// The longest axis of the box gives S, the next one T, and both are divided by the first's length. Of axes that are as long the
+// first counts; a hundredth less is as long, since the corners of a round mesh need not reach its sides.
 
 #include "base/box_texture.h"
 
 #include <algorithm>
-#include <array>
 
 namespace plugc {
 
@@ -18,17 +17,31 @@ Box3 box_of(std::span<const glm::vec3> points) {
   return box;
 }
 
+namespace {
+
+/// Of the axes other than `taken` (-1: all).
+int longest_axis(const glm::vec3& size, int taken) {
+  constexpr float kAsLong = 0.99f;
+  float longest = 0;
+  for (int axis = 0; axis < 3; ++axis) longest = axis == taken ? longest : std::max(longest, size[axis]);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis != taken && size[axis] >= kAsLong * longest) return axis;
+  }
+  return taken;  // a size that is no number
+}
+
+}  // namespace
+
 std::vector<glm::vec4> box_texture(std::span<const glm::vec3> points) {
   const Box3 box = box_of(points);
   const glm::vec3 size = box.high - box.low;
-  std::array<int, 3> axes = {0, 1, 2};
-  std::stable_sort(axes.begin(), axes.end(), [&size](int a, int b) { return size[a] > size[b]; });
-  const float longest = size[axes[0]];
+  const int s = longest_axis(size, -1), t = longest_axis(size, s);
+  const float longest = size[s];
   std::vector<glm::vec4> result;
   result.reserve(points.size());
   for (const glm::vec3& point : points) {
     const glm::vec3 place = longest > 0 ? (point - box.low) / longest : glm::vec3(0);
-    result.push_back({place[axes[0]], place[axes[1]], 0, 1});
+    result.push_back({place[s], place[t], 0, 1});
   }
   return result;
 }

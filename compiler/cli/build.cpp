@@ -131,7 +131,8 @@ void add_build_command(CLI::App& app, int& status) {
                                      : fmt::format("`{}` is no share of wrong pixels; write a percentage, e.g. 0.5%", text);
       });
   verb->add_option("--size", options->size,
-                   "Size of the pictures in which --shadow-error counts pixels; smaller where all viewpoints together pass 16 megapixels")
+                   "Size of the pictures in which --shadow-error counts pixels; smaller where all viewpoints together pass 16 "
+                   "megapixels")
       ->capture_default_str();
   add_common_options(*verb, options->common);
   add_jobs_option(*verb, options->common, "Programs that are validated at a time");

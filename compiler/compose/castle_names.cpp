@@ -76,6 +76,7 @@ constexpr Pattern kPatterns[] = {
     {"castle_FogColor", {uniform, "vec3", Source::fog_color}},
     {"castle_FogVisibilityRange", {uniform, "float", Source::fog_visibility_range}},
     {"castle_FogExponential", {uniform, "float", Source::fog_exponential}},
+    {"castle_FogPlane", {uniform, "vec4", Source::fog_plane}},
     {"castle_CameraMatrix", {uniform, "mat4", Source::camera_matrix}},
     {"castle_CameraInverseMatrix", {uniform, "mat4", Source::camera_inverse_matrix}},
     {"castle_CameraRotationMatrix", {uniform, "mat3", Source::camera_rotation_matrix}},

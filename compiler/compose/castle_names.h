@@ -72,6 +72,7 @@ enum class CastleSource : std::uint8_t {
   fog_color,
   fog_visibility_range,
   fog_exponential,
+  fog_plane,
   camera_matrix,
   camera_inverse_matrix,
   camera_rotation_matrix,

@@ -222,11 +222,17 @@ void Placer::place_wanted_coordinates() {
   }
 }
 
+/// What says how deep a vertex lies in the fog.
+Features fog_depth_features(const Recipe& recipe) {
+  if (recipe.fog_coord) return {"FOG_COORD"};
+  return recipe.fog_plane ? Features{"FOG_PLANE"} : Features{};
+}
+
 void Placer::place_fog() {
   constexpr PlugScope kScope{ScopeKind::fog, 0};
   const bool drawn = recipe_.fog != FogKind::none;
   if (!drawn && !authors_use("castle_FogFragCoord")) return;
-  add_template("fog.vert", ShaderStage::vertex, recipe_.fog_coord ? Features{"FOG_COORD"} : Features{}, kScope);
+  add_template("fog.vert", ShaderStage::vertex, fog_depth_features(recipe_), kScope);
   if (!drawn) return;
   constexpr std::string_view kKinds[] = {"", "LINEAR", "EXPONENTIAL", "EITHER"};
   add_template("fog.frag", ShaderStage::fragment, {kKinds[static_cast<std::size_t>(recipe_.fog)]}, kScope);

@@ -205,7 +205,7 @@ Recipe RecipeMaker::make() {
   Recipe recipe;
   recipe.shader = shape_.shader;
   recipe.effects = switched_on(shape_.effects);
-  recipe.lit = material_.lighting != Lighting::unlit && facts_.has_normals;
+  recipe.lit = material_.lighting != Lighting::unlit && facts_.has_normals && shape_.shading != Shading::wireframe;
   recipe.physical = recipe.lit && material_.lighting == Lighting::physical && shape_.shader < 0;
   const bool has_further_textures =
       std::ranges::any_of(shape_.textures, [](const TextureUse& use) { return use.role != TextureRole::main; });
@@ -229,7 +229,11 @@ Recipe RecipeMaker::make() {
   recipe.emissive = recipe.lit && (may_differ(&SceneMaterial::emissive, 0) || any_fills("material_emissive"));
   recipe.ambient = phong && (has_ambient() || any_fills("material_light_ambient"));
   for (std::size_t i = 0; i < shape_.textures.size(); ++i) recipe.textures.push_back(texture(i, recipe));
-  if (shape_.fog >= 0) recipe.fog = scene_.fogs[static_cast<std::size_t>(shape_.fog)].kind;
+  if (shape_.fog >= 0) {
+    const SceneFog& fog = scene_.fogs[static_cast<std::size_t>(shape_.fog)];
+    recipe.fog = fog.kind;
+    recipe.fog_plane = fog.volumetric && !facts_.has_fog_coords;
+  }
   recipe.fog_coord = facts_.has_fog_coords;
   recipe.vertex_eye = needs_vertex_eye(recipe);
   if (has_geometry_shader()) recipe.primitive = facts_.primitive;

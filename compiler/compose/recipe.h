@@ -79,8 +79,9 @@ struct Recipe {
   std::uint32_t clip_planes = 0;  ///< How many.
   bool point_size = false;
   int line_type = 1;
-  bool filled = true;  ///< False: of faces nothing but hatches is drawn.
-  int hatch = 0;       ///< Style of the hatches; 0: none.
+  bool filled = true;      ///< False: of faces nothing but hatches is drawn.
+  int hatch = 0;           ///< Style of the hatches; 0: none.
+  bool fog_plane = false;  ///< The fog lies in layers.
   auto operator<=>(const Recipe&) const = default;
 };
 

@@ -47,6 +47,7 @@ void append_base(std::string& text, const Recipe& recipe) {
                         {recipe.fog == FogKind::exponential, " exponential_fog"},
                         {recipe.fog == FogKind::either, " either_fog"},
                         {recipe.fog != FogKind::none && recipe.fog_coord, " fog_coord"},
+                        {recipe.fog_plane, " fog_plane"},
                         {recipe.primitive == Primitive::points, " points"},
                         {recipe.primitive == Primitive::lines, " lines"},
                         {recipe.back_material, " back_material"},

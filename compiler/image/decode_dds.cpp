@@ -106,16 +106,22 @@ std::vector<std::size_t> channel_bytes(const DdsHeader& header) {
   return bytes;
 }
 
-/// Slice by slice; the rows of a picture and of a volume, which stand from the top down, are turned over.
+/// A cube is turned over top to bottom as a whole: the reference engine shows the face that the file calls +y below, and each
+/// other face upside down.
+std::size_t face_in_file(std::size_t face) {
+  constexpr std::size_t kPositiveY = 2, kNegativeY = 3;
+  return face == kPositiveY ? kNegativeY : face == kNegativeY ? kPositiveY : face;
+}
+
+/// Slice by slice; rows, which stand from the top down, are turned over.
 void copy_texels(std::string_view texels, const DdsHeader& header, const std::vector<std::size_t>& channels, Image& image) {
   const std::size_t face_bytes = level_bytes(header, header.is_cube() ? header.mipmaps : 1);
   const std::size_t row_bytes = header.width * header.texel_bytes();
   std::uint8_t* out = image.pixels.data();
   for (std::size_t slice = 0; slice < image.depth; ++slice) {
-    const std::size_t slice_begin = header.is_cube() ? slice * face_bytes : slice * row_bytes * header.height;
+    const std::size_t slice_begin = header.is_cube() ? face_in_file(slice) * face_bytes : slice * row_bytes * header.height;
     for (std::size_t row = 0; row < header.height; ++row) {
-      const std::size_t from_row = header.is_cube() ? row : header.height - 1 - row;
-      const std::size_t row_begin = slice_begin + from_row * row_bytes;
+      const std::size_t row_begin = slice_begin + (header.height - 1 - row) * row_bytes;
       for (std::size_t x = 0; x < header.width; ++x) {
         for (const std::size_t byte : channels)
           *out++ = static_cast<std::uint8_t>(texels[row_begin + x * header.texel_bytes() + byte]);

@@ -22,8 +22,8 @@ struct MeshCache {
   bool is_full = false;  ///< A mesh was left out: all new ones are.
 };
 
-/// The mesh as the cache has it; one that is new to it is added. One with vertices that events change is its own. Null where that would be too many vertices, and for every new
-/// mesh from there on; the first is reported, at the place of its geometry.
+/// The mesh as the cache has it; one that is new to it is added. One with vertices that events change is its own. Null where
+/// that would be too many vertices, and for every new mesh from there on; the first is reported, at the place of its geometry.
 std::shared_ptr<const Mesh> share_mesh(MeshCache& cache, Mesh mesh, const Span& geometry, Diagnostics& diagnostics);
 
 }  // namespace plugc

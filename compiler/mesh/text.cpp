@@ -12,6 +12,7 @@
 // mesh's box to the full height and length of the lines, blanks included.
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include "base/limits.h"
@@ -124,8 +125,11 @@ class TextSetter {
     std::vector<Line> lines;
     float longest = 0;
     const std::span<const double> lengths = source_.graph.field(source_.node, "length").numbers;
+    std::size_t left = most_characters();
     for (const MappedText& text : source_.graph.field(source_.node, "string").strings) {
       Line& line = lines.emplace_back(Line{code_points(text.text())});
+      line.characters.resize(std::min(line.characters.size(), left));
+      left -= line.characters.size();
       for (const std::uint32_t character : line.characters)
         line.length += style_.horizontal ? font_.glyph(character).advance * scale_ : style_.size;
       if (style_.horizontal ? !style_.left_to_right : !style_.top_to_bottom) std::ranges::reverse(line.characters);
@@ -137,6 +141,12 @@ class TextSetter {
     if (max_extent > 0 && longest > max_extent)
       for (Line& line : lines) stretch(line, line.length * max_extent / longest);
     return lines;
+  }
+
+  /// Of all lines together: the reference engine's `maxDisplayChars`; -1: all of them.
+  std::size_t most_characters() const {
+    const int most = source_.graph.integer(source_.node, "maxDisplayChars");
+    return most < 0 ? SIZE_MAX : static_cast<std::size_t>(most);
   }
 
   static void stretch(Line& line, float length) {
@@ -218,6 +228,8 @@ class TextSetter {
 }  // namespace
 
 std::optional<Mesh> make_text(const GeometrySource& source) {
+  if (source.type() == "Text3D" && source.graph.number(source.node, "depth") > 0)
+    source.report(DiagnosticId::not_drawn, "depth", "a `Text3D` is drawn flat, as a `Text`; its `depth` is passed over");
   const Style style = style_of(source);
   std::optional<Font> font = Font::open(style.family, style.style);
   if (!font) {

@@ -12,6 +12,7 @@
 
 #include "package/assemble_events.h"
 #include "package/pack_attributes.h"
+#include "package/pack_fog.h"
 #include "package/pack_geometry.h"
 #include "package/pack_live_meshes.h"
 #include "package/pack_offscreen.h"
@@ -182,9 +183,11 @@ void Assembler::add_scene(SceneParts& parts) {
   packed->bound_viewpoint = scene.bound_viewpoint;
   packed->bound_viewpoint_now = scene.bound_viewpoint_now;
   packed->bound_background = scene.bound_background;
+  packed->visibility_limit = scene.visibility_limit;
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   pack_clip_planes(scene, *packed);
+  pack_fog_planes(scene, *packed);
   pack_events(scene, sources_, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));

@@ -13,6 +13,7 @@
 #include "compose/sampler_type.h"
 #include "compose/screen_library.h"
 #include "package/pack_attributes.h"
+#include "package/pack_fog.h"
 #include "package/pack_shape.h"
 #include "package/pack_style.h"
 #include "package/target_variables.h"
@@ -284,6 +285,7 @@ void Binder::bind_castle(std::uint32_t index, const CastleName& name) {
     default: break;
   }
   if (const auto style = bind_style(index, name, c_)) bindings_.push_back(*style);
+  if (const auto plane = bind_fog_plane(index, name, c_)) bindings_.push_back(*plane);
   bind_material(index, name.source);
 }
 

@@ -78,6 +78,7 @@ std::unique_ptr<PackedViewpointT> pack_viewpoint(const SceneViewpoint& viewpoint
   packed->field_of_view = viewpoint.field_of_view;
   packed->direction = viewpoint.direction;
   packed->up = viewpoint.up;
+  packed->field_is_vertical = viewpoint.field_is_vertical;
   return packed;
 }
 

@@ -95,6 +95,11 @@ bool check_clip_plane(SceneCheck& scene, const PackedClipPlane& plane, const Pla
          scene.present_slot(place, "enabled", plane.enabled(), 1);
 }
 
+bool check_fog_plane(SceneCheck& scene, const PackedFogPlane& plane, const Place& place) {
+  return scene.transform(place, plane.transform()) && scene.present_slot(place, "direction", plane.direction(), 3) &&
+         scene.present_slot(place, "start", plane.start(), 1);
+}
+
 bool check_lod_level(SceneCheck& scene, const PackedLodLevel& level, const Place& place) {
   const bool is_range = level.from() >= 0 && level.from() <= level.to();  // false for NaN
   if (!is_range) return scene.check.fail(place, fmt::format("{} to {} is no range", level.from(), level.to()));
@@ -131,6 +136,9 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          (packed.clip_planes() == nullptr ||
           check.each(&place, "clip plane", *packed.clip_planes(),
                      [&](const PackedClipPlane* plane, const Place& at) { return check_clip_plane(scene, *plane, at); })) &&
+         (packed.fog_planes() == nullptr ||
+          check.each(&place, "fog plane", *packed.fog_planes(),
+                     [&](const PackedFogPlane* plane, const Place& at) { return check_fog_plane(scene, *plane, at); })) &&
          (packed.lod_levels() == nullptr ||
           check.each(&place, "level of detail", *packed.lod_levels(),
                      [&](const PackedLodLevel* one, const Place& at) { return check_lod_level(scene, *one, at); })) &&
@@ -155,6 +163,7 @@ bool check_scene(PackageCheck& check, const PackedScene& packed, const Place& pl
          (packed.viewpoints()->size() == 0 || is_index_or_none(packed.bound_viewpoint(), packed.viewpoints()->size()) ||
           check.fail(place, fmt::format("its bound viewpoint {} does not exist", packed.bound_viewpoint()))) &&
          check_offscreen(scene, place) && scene.slot(place, "background color", packed.background_color(), 3) &&
+         scene.slot(place, "visibility limit", packed.visibility_limit(), 1) &&
          scene.slot(place, "bound viewpoint", packed.bound_viewpoint_now(), 1) &&
          scene.slot(place, "bound background", packed.bound_background(), 1) && check_events(scene, place) &&
          check_live_meshes(scene, place);

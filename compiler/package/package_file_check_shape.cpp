@@ -60,6 +60,10 @@ bool check_operands(SceneCheck& scene, const PackedBinding& binding, const Packe
       const std::size_t planes = scene.scene.clip_planes() == nullptr ? 0 : scene.scene.clip_planes()->size();
       return check.require_index(place, "clip plane", binding.a(), planes);
     }
+    case PackedSource::fog_plane: {
+      const std::size_t planes = scene.scene.fog_planes() == nullptr ? 0 : scene.scene.fog_planes()->size();
+      return check.require_index(place, "fog plane", binding.a(), planes);
+    }
     case PackedSource::model_view_matrix:
     case PackedSource::projection_matrix:
     case PackedSource::model_view_projection_matrix:

@@ -180,6 +180,14 @@ void dump_clip_planes(Text& text, const PackedScene& scene) {
   }
 }
 
+void dump_fog_planes(Text& text, const PackedScene& scene) {
+  for (flatbuffers::uoffset_t i = 0; scene.fog_planes() != nullptr && i < scene.fog_planes()->size(); ++i) {
+    const PackedFogPlane& plane = *scene.fog_planes()->Get(i);
+    line(text, "  fog plane {}: transform {}, slots: direction {}, start {}", i, plane.transform(), plane.direction(),
+         plane.start());
+  }
+}
+
 void dump_style(Text& text, const PackedShape& shape) {
   if (shape.line_width() != kNoSlot) line(text, "    line width slot {}", shape.line_width());
   if (shape.alpha_cutoff() != kNoSlot) line(text, "    alpha cutoff slot {}", shape.alpha_cutoff());
@@ -290,7 +298,10 @@ void dump_shape(Text& text, const Package& package, const PackedShape& shape, st
 
 void dump_viewpoint(Text& text, const char* word, const PackedViewpoint& viewpoint, std::size_t index) {
   line(text, "  {} {} {} {}: transform {}{}", word, index, quoted(*viewpoint.name()), quoted(*viewpoint.description()),
-       viewpoint.transform(), viewpoint.orthographic() ? ", orthographic" : "");
+       viewpoint.transform(),
+       viewpoint.orthographic()        ? ", orthographic"
+       : viewpoint.field_is_vertical() ? ", by its height"
+                                       : "");
   line(text, "    slots: position {}, orientation {}, field of view {}", slot(viewpoint.position()),
        slot(viewpoint.orientation()), slot(viewpoint.field_of_view()));
   if (viewpoint.direction() != kNoSlot || viewpoint.up() != kNoSlot)
@@ -382,10 +393,12 @@ void each(const List& list, Function function) {
 
 void dump_scene(Text& text, const Package& package, const PackedScene& scene, std::size_t index) {
   line(text, "scene {} {}: background color slot {}", index, quoted(*scene.name()), slot(scene.background_color()));
+  if (scene.visibility_limit() != kNoSlot) line(text, "  visibility limit slot {}", scene.visibility_limit());
   dump_slots(text, scene);
   each(*scene.transforms(), [&](const PackedTransform& transform, std::size_t i) { dump_transform(text, transform, i); });
   dump_billboards(text, scene);
   dump_clip_planes(text, scene);
+  dump_fog_planes(text, scene);
   dump_lod_levels(text, scene);
   each(*scene.lights(), [&](const PackedLight& light, std::size_t i) { dump_light(text, light, i); });
   each(*scene.shadow_maps(), [&](const PackedShadowMap& map, std::size_t i) { dump_shadow_map(text, package, map, i); });

@@ -24,6 +24,11 @@ void add_dynamic_slots(SceneContext& context) {
   for (const DynamicField& field : context.dynamic) context.slots.declared_slot(field.node, field.name);
 }
 
+bool limits_sight(const SceneContext& context, NodeId navigation_info) {
+  return context.graph.number(navigation_info, "visibilityLimit") > 0 ||
+         context.slots.may_change(navigation_info, "visibilityLimit");
+}
+
 }  // namespace
 
 void SceneWalk::run() {
@@ -34,6 +39,8 @@ void SceneWalk::run() {
   find_changing_stacks(context_);
   visit_list(roots);
   finish_bindings();
+  if (navigation_info_.valid() && limits_sight(context_, navigation_info_))
+    context_.scene.visibility_limit = context_.slots.slot(navigation_info_, "visibilityLimit");
   add_background();
   if (context_.options.all_branches) add_unreached_effects();
   separate_mirrors(context_.scene, context_.own_backgrounds);
@@ -164,6 +171,7 @@ SceneViewpoint read_viewpoint(SceneContext& context, NodeId node, int transform)
   viewpoint.field_of_view = context.slots.slot(node, "fieldOfView");
   viewpoint.direction = context.slots.slot_if_used(node, "direction");
   viewpoint.up = context.slots.slot_if_used(node, "up");
+  viewpoint.field_is_vertical = !viewpoint.orthographic && context.graph.boolean(node, "fieldOfViewForceVertical");
   return viewpoint;
 }
 

@@ -11,7 +11,7 @@ bool takes_nodes(const FieldInfo* field) {
 }
 
 const FieldInfo* container_field_of(const NodeInfo& holder, const NodeInfo& node, std::string_view written) {
-  const FieldInfo* named = find_field_info(holder, written);
+  const FieldInfo* named = find_field_as_written(holder, written, Encoding::xml);
   if (takes_nodes(named)) return named;
   const FieldInfo* usual = find_field_info(holder, node.container_field);
   if (takes_nodes(usual) && accepts(*usual, node)) return usual;

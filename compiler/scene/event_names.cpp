@@ -1,5 +1,6 @@
 // X3D 4.1 part 1, 4.4.2.2: an inputOutput field `x` is also the events `set_x` and `x_changed`. ISO/IEC 14772 (VRML 2.0)
-// calls a few fields otherwise than X3D does; these names count only in files of that encoding.
+// calls a few fields otherwise than X3D does; these names count only in files of that encoding. The names that X3D 3 had for
+// the sides of a cube map count in every file.
 
 #include "scene/event_names.h"
 
@@ -10,13 +11,20 @@ namespace plugc {
 namespace {
 
 struct Renamed {
-  std::string_view node, vrml2, x3d;
+  std::string_view node, older, x3d;
+  bool in_vrml2_alone = false;
 };
 
-constexpr std::array<Renamed, 3> kRenamed = {{
-    {"Collision", "collide", "enabled"},
-    {"LOD", "level", "children"},
-    {"Switch", "choice", "children"},
+constexpr std::array<Renamed, 9> kRenamed = {{
+    {"Collision", "collide", "enabled", true},
+    {"LOD", "level", "children", true},
+    {"Switch", "choice", "children", true},
+    {"ComposedCubeMapTexture", "back", "backTexture"},
+    {"ComposedCubeMapTexture", "bottom", "bottomTexture"},
+    {"ComposedCubeMapTexture", "front", "frontTexture"},
+    {"ComposedCubeMapTexture", "left", "leftTexture"},
+    {"ComposedCubeMapTexture", "right", "rightTexture"},
+    {"ComposedCubeMapTexture", "top", "topTexture"},
 }};
 
 }  // namespace
@@ -58,9 +66,9 @@ bool allows(AccessType access, EventUse use) {
 
 const FieldInfo* find_field_as_written(const NodeInfo& node, std::string_view name, Encoding encoding) {
   if (const FieldInfo* field = find_field_info(node, name)) return field;
-  if (encoding != Encoding::vrml2) return nullptr;
-  const auto renamed = std::find_if(kRenamed.begin(), kRenamed.end(),
-                                    [&](const Renamed& one) { return one.node == node.name && one.vrml2 == name; });
+  const auto renamed = std::ranges::find_if(kRenamed, [&](const Renamed& one) {
+    return one.node == node.name && one.older == name && (encoding == Encoding::vrml2 || !one.in_vrml2_alone);
+  });
   return renamed == kRenamed.end() ? nullptr : find_field_info(node, renamed->x3d);
 }
 

@@ -19,7 +19,8 @@ bool may_join(AccessType inner, AccessType outer);
 bool allows(FieldAccess access, EventUse use);
 bool allows(AccessType access, EventUse use);
 
-/// The field called `name` in a file of that encoding: `choice` of a VRML 2.0 Switch is `children`. Null when there is none.
+/// The field called `name` in a file of that encoding: `choice` of a VRML 2.0 Switch is `children`, `front` of a cube map of
+/// X3D 3 is `frontTexture`. Null when there is none.
 const FieldInfo* find_field_as_written(const NodeInfo& node, std::string_view name, Encoding encoding);
 
 /// `set_x` to `x` for what receives, `x_changed` to `x` for what sends; "" when `name` has no such ending.

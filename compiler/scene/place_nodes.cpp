@@ -105,7 +105,8 @@ bool GraphBuilder::choose_container(Destination& to, NodeId id) {
            fmt::format("`{}` has no field `{}` for nodes{}", holder.name, written.text,
                        suggest(written.text, [&] { return node_field_names(holder); })));
   }
-  if (takes_nodes(renamed) && !takes_nodes(find_field_info(holder, written.text))) report_renamed(holder, written, *renamed);
+  if (takes_nodes(renamed) && !takes_nodes(find_field_as_written(holder, written.text, Encoding::xml)))
+    report_renamed(holder, written, *renamed);
   to.field = takes_nodes(renamed) ? renamed : container_field_of(holder, node, written.text);
   if (to.field == nullptr) {
     if (is_wrong) return false;

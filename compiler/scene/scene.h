@@ -254,6 +254,9 @@ struct SceneFog {
   int transform = -1;  ///< In whose units the visibility range is.
   std::uint32_t color = kSceneNoSlot, visibility_range = kSceneNoSlot;
   std::uint32_t exponential = kSceneNoSlot;  ///< Of `either`: not 0 for an exponential one.
+  /// Of one that lies in layers (the reference engine's `volumetric`): along what it thickens, and from where on.
+  bool volumetric = false;
+  std::uint32_t direction = kSceneNoSlot, start = kSceneNoSlot;
 };
 
 enum class BlendFactor : std::uint8_t {
@@ -348,6 +351,7 @@ struct SceneViewpoint {
   bool orthographic = false;
   std::uint32_t position = kSceneNoSlot, orientation = kSceneNoSlot, field_of_view = kSceneNoSlot;
   std::uint32_t direction = kSceneNoSlot, up = kSceneNoSlot;  ///< In place of the orientation, where direction is not 0.
+  bool field_is_vertical = false;                             ///< The reference engine's `fieldOfViewForceVertical`.
 };
 
 /// What projects texture coordinates: a viewpoint, which need not stand among those to look through, or a light.
@@ -455,7 +459,8 @@ struct Scene {
   /// What is bound now, where events may change that; as PackedScene has them.
   std::uint32_t bound_viewpoint_now = kSceneNoSlot, bound_background = kSceneNoSlot;
   std::uint32_t background_color = kSceneNoSlot;
-  std::uint32_t global_ambient = kSceneNoSlot;  ///< Light that is everywhere; times each material's ambient colour.
+  std::uint32_t global_ambient = kSceneNoSlot;    ///< Light that is everywhere; times each material's ambient colour.
+  std::uint32_t visibility_limit = kSceneNoSlot;  ///< Of the bound NavigationInfo: nothing farther is drawn; 0: no limit.
 };
 
 /// Whether some shape stands in the world; a backdrop alone shows no effect.

@@ -42,7 +42,9 @@ void report_events_to_gradient(const SceneContext& context, NodeId background) {
   if (std::ranges::none_of(kFields, is_led_to)) return;
   for (const GraphRoute& route : context.graph.routes()) {
     if (route.to != background || std::ranges::find(kFields, route.to_field) == std::end(kFields)) continue;
-    if (context.slots.find(route.to, route.to_field) && is_unmade(context.graph, context.scripts, {route.from, route.from_field})) continue;
+    if (context.slots.find(route.to, route.to_field) &&
+        is_unmade(context.graph, context.scripts, {route.from, route.from_field}))
+      continue;
     context.diagnostics.report(DiagnosticId::event_ignored, route.span,
                                fmt::format("events to `{}.{}` are not followed where there is a gradient: it keeps its first "
                                            "colours",

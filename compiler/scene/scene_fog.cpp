@@ -59,6 +59,11 @@ int add_fog(SceneContext& context, NodeId node, int transform) {
   fog.transform = transform;
   fog.color = slots.slot(node, "color");
   fog.visibility_range = slots.slot(node, "visibilityRange");
+  fog.volumetric = context.graph.boolean(node, "volumetric");
+  if (fog.volumetric) {
+    fog.direction = slots.slot(node, "volumetricDirection");
+    fog.start = slots.slot(node, "volumetricVisibilityStart");
+  }
   context.scene.fogs.push_back(fog);
   return static_cast<int>(context.scene.fogs.size() - 1);
 }

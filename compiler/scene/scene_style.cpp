@@ -57,11 +57,28 @@ AlphaMode read_alpha_mode(std::string_view name) {
   return name == "BLEND" ? AlphaMode::blend : AlphaMode::automatic;
 }
 
+/// The reference engine's older name of it, with words of its own.
+AlphaMode read_alpha_channel(std::string_view name) {
+  if (name == "NONE") return AlphaMode::opaque;
+  if (name == "TEST") return AlphaMode::mask;
+  return name == "BLENDING" ? AlphaMode::blend : AlphaMode::automatic;
+}
+
+/// Of the texture that the colour of the shape comes from; the first of several counts.
+AlphaMode texture_alpha_channel(const NodeGraph& graph, NodeId appearance) {
+  NodeId texture = graph.child(appearance, "texture");
+  if (graph.is(texture, "MultiTexture") && !graph.children(texture, "texture").empty())
+    texture = graph.children(texture, "texture").front();
+  return graph.is(texture, "X3DTextureNode") ? read_alpha_channel(graph.string(texture, "alphaChannel")) : AlphaMode::automatic;
+}
+
 }  // namespace
 
 void read_style(SceneContext& context, NodeId appearance, SceneShape& shape) {
   const NodeGraph& graph = context.graph;
   shape.alpha_mode = read_alpha_mode(graph.string(appearance, "alphaMode"));
+  if (shape.alpha_mode == AlphaMode::automatic) shape.alpha_mode = read_alpha_channel(graph.string(appearance, "alphaChannel"));
+  if (shape.alpha_mode == AlphaMode::automatic) shape.alpha_mode = texture_alpha_channel(graph, appearance);
   if (shape.alpha_mode == AlphaMode::mask) shape.alpha_cutoff = context.slots.slot(appearance, "alphaCutoff");
   read_lines(context, graph.child(appearance, "lineProperties"), shape.style);
   read_points(context, graph.child(appearance, "pointProperties"), shape.style);

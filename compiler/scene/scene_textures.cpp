@@ -240,6 +240,7 @@ int unit_transform(SceneContext& context, NodeId transform, std::size_t unit) {
 void read_textures(SceneContext& context, NodeId texture, NodeId transform, SceneShape& shape) {
   const NodeGraph& graph = context.graph;
   const bool multi = graph.is(texture, "MultiTexture");
+  const bool has_units = graph.is(transform, "MultiTextureTransform");  // a single one does nothing to several textures
   const std::vector<NodeId> single = {texture};
   const auto list = multi ? graph.children(texture, "texture") : std::span<const NodeId>(single);
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -249,7 +250,7 @@ void read_textures(SceneContext& context, NodeId texture, NodeId transform, Scen
     use.texture = texture_index(context, list[i]);
     if (use.texture < 0) continue;
     use.combination = *combination;
-    use.transform = unit_transform(context, transform, i);
+    use.transform = multi && !has_units ? -1 : unit_transform(context, transform, i);
     use.unit = static_cast<int>(i);
     shape.textures.push_back(use);
   }

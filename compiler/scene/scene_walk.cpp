@@ -14,10 +14,14 @@ namespace plugc {
 namespace {
 
 Role role_of(const NodeInfo& node) {
-  static constexpr std::array<std::pair<std::string_view, Role>, 14> kRoles = {{{"Shape", Role::shape},
+  static constexpr std::array<std::pair<std::string_view, Role>, 18> kRoles = {{{"Shape", Role::shape},
                                                                                 {"Switch", Role::switch_},
                                                                                 {"LOD", Role::lod},
                                                                                 {"Transform", Role::transform},
+                                                                                {"CADPart", Role::transform},
+                                                                                {"HAnimHumanoid", Role::transform},
+                                                                                {"HAnimJoint", Role::transform},
+                                                                                {"HAnimSite", Role::transform},
                                                                                 {"Billboard", Role::billboard},
                                                                                 {"Inline", Role::inlined},
                                                                                 {"MatrixTransform", Role::matrix_transform},
@@ -177,6 +181,9 @@ void SceneWalk::visit_other(NodeId node) {
     visit_viewpoint(node);
   } else if (graph_.is(node, "ViewpointGroup") || graph_.is(node, "StaticGroup")) {  // no X3DGroupingNode, either of them
     visit_list(graph_.children(node, "children"));
+  } else if (graph_.is(node, "CADFace")) {
+    const NodeId shape = graph_.child(node, "shape");
+    visit_list({&shape, 1});
   } else if (graph_.is(node, "ProximitySensor")) {
     context_.sensor_transforms.try_emplace(node, transform_);
   } else if (graph_.is(node, "ScreenEffect")) {
@@ -204,6 +211,8 @@ void SceneWalk::bind_if_first(NodeId node) {
     context_.scene.background_color = context_.slots.slot(node, "skyColor");
   } else if ((graph_.is(node, "NavigationInfo") || graph_.is(node, "KambiNavigationInfo")) && !navigation_info_.valid()) {
     navigation_info_ = node;
+  } else if (graph_.is(node, "ImageBackground")) {
+    context_.diagnostics.report(DiagnosticId::not_drawn, graph_[node].type_span, "plugc does not draw `ImageBackground`");
   } else if (graph_.is(node, "Fog") && !bound_fog_) {
     bound_fog_ = add_fog(context_, node, transform_);
   }

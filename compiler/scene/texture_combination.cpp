@@ -1,5 +1,6 @@
 // What MultiTexture says of one of its textures: mode, source and function (X3D 4.1, 18.4.3). A mode may name two, one for
-// the colour and one for alpha, with a comma between. Words that do not exist have been reported when the value was read.
+// the colour and one for alpha, with a comma (or, in the reference engine, a slash) between. Words that do not exist have been
+// reported when the value was read.
 
 #include <algorithm>
 #include <array>
@@ -64,7 +65,7 @@ Enum named(const std::array<std::string_view, N>& names, std::string_view value)
 std::optional<TextureCombination> read_combination(const NodeGraph& graph, NodeId multi_texture, std::size_t index) {
   const std::string_view mode = string_at(graph, multi_texture, "mode", index);
   if (mode == "OFF") return std::nullopt;
-  const std::size_t comma = mode.find(',');
+  const std::size_t comma = mode.find_first_of(",/");
   TextureCombination combination;
   combination.mode = mode_named(trimmed(mode.substr(0, comma)));
   combination.alpha_mode = comma == std::string_view::npos ? combination.mode : mode_named(trimmed(mode.substr(comma + 1)));

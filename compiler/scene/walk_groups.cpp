@@ -28,6 +28,8 @@ void SceneWalk::visit_below(const SceneTransform& transform, std::span<const Nod
   transform_ = outer;
 }
 
+/// A Transform, or what has its fields: parts of CAD (X3D 4.1, 32.4.4), figures, their joints and sites (26.3). A figure's
+/// other lists name nodes that stand in these two.
 void SceneWalk::visit_transform(NodeId node) {
   SceneTransform transform;
   transform.parent = transform_;
@@ -36,7 +38,9 @@ void SceneWalk::visit_transform(NodeId node) {
   transform.scale = context_.slots.slot_if_used(node, "scale");
   transform.scale_orientation = context_.slots.slot_if_used(node, "scaleOrientation");
   transform.center = context_.slots.slot_if_used(node, "center");
-  visit_below(transform, graph_.children(node, "children"));
+  if (!graph_.is(node, "HAnimHumanoid")) return visit_below(transform, graph_.children(node, "children"));
+  visit_below(transform, graph_.children(node, "skeleton"));
+  visit_below(transform, graph_.children(node, "skin"));
 }
 
 void SceneWalk::visit_billboard(NodeId node) {

@@ -91,8 +91,6 @@ constexpr std::string_view kExceptions[] = {
     "MovieTexture",    // shows a picture as ImageTexture does
     // of the reference engine and of other viewers, not drawn
     "MultiGeneratedTextureCoordinate",
-    "Plane",
-    "Text3D",
     // of the reference engine, drawn as the nodes that they extend, or only settings
     "KambiAppearance",
     "KambiHeadLight",

@@ -183,6 +183,7 @@ inline PackedSceneT sample_scene() {
   scene.shadow_maps.back()->size = 512;
   scene.shadow_maps.back()->update = PackedShadowUpdate::always;
   scene.clip_planes = {{1, kSampleRotation, kSampleScalar}};
+  scene.fog_planes = {{1, kSampleColor, kSampleScalar}};
   scene.texture_transforms = {{kNoSlot, kSampleScalar, kNoSlot, kNoSlot}};
   scene.shapes.push_back(std::make_unique<PackedShapeT>(sample_shape()));
   scene.viewpoints.push_back(std::make_unique<PackedViewpointT>());

@@ -110,11 +110,12 @@ TEST(Dds, AVolumeKeepsItsSlicesAndTurnsTheirRows) {
   EXPECT_THAT(image.pixels, ElementsAre(1, 0, 0, 255, 0, 0, 0, 255, 3, 0, 0, 255, 2, 0, 0, 255));
 }
 
-TEST(Dds, ACubeMapKeepsItsFacesAsTheyStandAndPassesOverMipmaps) {
+TEST(Dds, ACubeMapIsTurnedOverAndPassesOverMipmaps) {
   const Image image = image_of("cube.dds");  // six faces of 2 x 2 grey texels, each with a mipmap of value 99
   EXPECT_EQ(image.depth, 6u);
   ASSERT_EQ(image.pixels.size(), 24u);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) EXPECT_EQ(image.pixels[i], i) << i;
+  EXPECT_THAT(std::span(image.pixels).first(8), ElementsAre(2, 3, 0, 1, 6, 7, 4, 5));             // +x, -x: rows from below
+  EXPECT_THAT(std::span(image.pixels).subspan(8, 8), ElementsAre(14, 15, 12, 13, 10, 11, 8, 9));  // +y and -y change places
 }
 
 TEST(Dds, WhatItCannotHoldIsReported) {

@@ -239,6 +239,34 @@ TEST(Camera, AppliesTheFieldOfViewToTheShorterSide) {
   EXPECT_NEAR(tall.projection[1][1], 0.5, 1e-12);
 }
 
+TEST(Camera, AppliesAVerticalFieldOfViewToTheHeight) {
+  SceneBuilder builder;
+  builder.scene().viewpoints.push_back(std::make_unique<PackedViewpointT>());
+  builder.scene().viewpoints[0]->field_of_view = builder.number(kHalfPi);
+  builder.scene().viewpoints[0]->field_is_vertical = true;
+  Messages messages;
+  const View tall = camera_of(builder.pack(), "", messages, 0.5);
+  EXPECT_NEAR(tall.projection[0][0], 2, 1e-12);
+  EXPECT_NEAR(tall.projection[1][1], 1, 1e-12);
+}
+
+TEST(Camera, SeesAsFarAsTheVisibilityLimit) {
+  SceneBuilder builder;
+  const std::int32_t far_away = builder.transform(-1, builder.vec3(0, 0, -90));
+  builder.flat_shape(builder.square(1), builder.flat_program(), {1, 1, 1, 1}, far_away);
+  builder.scene().viewpoints.push_back(std::make_unique<PackedViewpointT>());
+  const auto clip_depth = [&](double limit, double distance) {
+    builder.scene().visibility_limit = builder.number(limit);
+    Messages messages;
+    const glm::dvec4 clip = camera_of(builder.pack(), "", messages).projection * glm::dvec4(0, 0, -distance, 1);
+    return clip.z / clip.w;
+  };
+  EXPECT_NEAR(clip_depth(30, 30), 1, 1e-9);
+  EXPECT_LT(clip_depth(30, 20), 1);
+  EXPECT_LT(clip_depth(0, 100), 1) << "0 is no limit";
+  EXPECT_LT(clip_depth(1000, 100), 1) << "nothing lies as far as that";
+}
+
 TEST(Camera, FindsViewpointsByNameThenByIndex) {
   SceneBuilder builder;
   builder.orthographic_view(1, 3);
