@@ -48,10 +48,7 @@ bool check_step(ScriptCheck& script, const PackedScriptStep& step, const Place& 
 bool check_script(PackageCheck& check, const PackedEventNode& node, const Place& place) {
   const PackedScript& packed = *node.script();
   ScriptCheck script{check, packed, node.inputs()->size()};
-  // As `each` does of the other lists: no two scripts share their values.
-  const std::size_t bytes = packed.values()->size() * sizeof(double);
-  if (bytes > check.bytes_left) return check.fail(place, "its values overlap others");
-  check.bytes_left -= bytes;
+  if (!check.charge(place, *packed.values())) return false;
   if (!is_aligned(packed.values()->data(), alignof(double))) return check.fail(place, "its values are not aligned");
   return check_origin(check, *packed.origin(), place) &&
          check.each(&place, "variable", *packed.variables(),

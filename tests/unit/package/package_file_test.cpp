@@ -503,7 +503,7 @@ TEST(PackageFile, DumpsOneFactALine) {
         "  shape 0 `Kettle`: transform 1, mesh 0, program 0\n", "      color = slot a 0 b 0 scale 1\n", "    depth program 1\n",
         "    switch slot 1\n    switch light 0\n    variants by state 1 0 1 0\n    variant 1: program 1\n",
         "  viewpoint 0 `Front` `from the front`: transform -1\n",
-        "  event node 1 script: 1 - -> - 0\n    variable 0, field 1: 0 0 0\n",
+        "  event node 3 script: 1 - -> - 0\n    variable 0, field 1: 0 0 0\n",
         "    function of field 0: steps 0 to 5, value 1, time -\n    step 0: load 1\n",
         "effect 0 `Fresnel`: scene 0, source 1 line 7\n  needs: `fragment_modify`\n  offers: `fresnel_change`\n"
         "  field `power`: slot 1\n  kind `phong`: choice 0, program 0\n"}) {
@@ -519,8 +519,8 @@ TEST(PackageFile, DumpsNamesWithoutBreakingTheLine) {
 }
 
 TEST(PackageFile, ChecksScripts) {
-  const auto error = [](auto change) { return error_after([&](PackageT& p) { change(*p.scenes[0]->event_nodes[1]); }); };
-  const std::string place = "scene 0, event node 1";
+  const auto error = [](auto change) { return error_after([&](PackageT& p) { change(*p.scenes[0]->event_nodes.back()); }); };
+  const std::string place = "scene 0, event node 3";
   EXPECT_EQ(error([](PackedEventNodeT& n) { n.script = nullptr; }), place + ": it has no script");
   EXPECT_EQ(error([](PackedEventNodeT& n) { n.outputs.pop_back(); }), place + ": it has not the slots of its kind");
   EXPECT_EQ(error([](PackedEventNodeT& n) {

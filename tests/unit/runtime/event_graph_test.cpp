@@ -23,8 +23,10 @@ class EventScene : public SceneBuilder {
   }
 
   void route(std::uint32_t from, std::uint32_t to) {
-    scene().routes.emplace_back(from, to);
-    std::ranges::stable_sort(scene().routes, {}, &PackedRoute::from);
+    const auto ends = [](const PackedRoute& route) { return std::pair(route.from(), route.to()); };
+    auto& routes = scene().routes;
+    const auto place = std::ranges::lower_bound(routes, std::pair(from, to), {}, ends);
+    if (place == routes.end() || ends(*place) != std::pair(from, to)) routes.insert(place, PackedRoute(from, to));
   }
 
   /// A TimeSensor: its slots that are no default, by name.
