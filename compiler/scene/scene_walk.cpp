@@ -211,8 +211,6 @@ void SceneWalk::bind_if_first(NodeId node) {
     context_.scene.background_color = context_.slots.slot(node, "skyColor");
   } else if ((graph_.is(node, "NavigationInfo") || graph_.is(node, "KambiNavigationInfo")) && !navigation_info_.valid()) {
     navigation_info_ = node;
-  } else if (graph_.is(node, "ImageBackground")) {
-    context_.diagnostics.report(DiagnosticId::not_drawn, graph_[node].type_span, "plugc does not draw `ImageBackground`");
   } else if (graph_.is(node, "Fog") && !bound_fog_) {
     bound_fog_ = add_fog(context_, node, transform_);
   }
