@@ -170,7 +170,7 @@ std::vector<std::uint32_t> maps_in_one_frustum(const PackedScene& scene, std::ui
   return maps;
 }
 
-FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index) {
+FitInput fit_input(const PackedScene& scene, const World& world, std::uint32_t index) {
   const std::vector<std::uint32_t> maps = maps_in_one_frustum(scene, index);
   FitInput input;
   const bool of_point_light = is_cube(scene, *scene.shadow_maps()->Get(index));

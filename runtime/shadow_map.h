@@ -68,6 +68,6 @@ std::vector<std::uint32_t> maps_in_one_frustum(const PackedScene& scene, std::ui
 
 /// The boxes of all casters, and of the shapes that a map in the same frustum shadows or whose texture coordinates its light
 /// projects.
-FitInput fit_input(const Package& package, const PackedScene& scene, const World& world, std::uint32_t index);
+FitInput fit_input(const PackedScene& scene, const World& world, std::uint32_t index);
 
 }  // namespace plugc

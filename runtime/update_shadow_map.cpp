@@ -106,7 +106,7 @@ void fit(LoadedScene& scene, std::uint32_t index, const View* camera, Messages& 
   light.map_size = size_of(scene, index);
   for (const std::uint32_t other : maps_in_one_frustum(*scene.packed, index))
     light.map_size = std::min(light.map_size, size_of(scene, other));
-  FitInput input = fit_input(*scene.package, *scene.packed, scene.world, index);
+  FitInput input = fit_input(*scene.packed, scene.world, index);
   input.camera = camera;
   const bool matters = packed.author_visible() || !(input.casters.empty() || input.receivers.empty());
   map.fit = map.reversed ? fit_tightly(light, input, map.memory) : TightFit{fit_light(light, input), matters};

@@ -73,6 +73,8 @@ void make_room_for_a_root(PackedSceneT& scene) {
     level = PackedLodLevel(level.transform() + 1, level.center(), level.from(), level.to());
   for (PackedClipPlane& plane : scene.clip_planes)
     plane = PackedClipPlane(plane.transform() + 1, plane.plane(), plane.enabled());
+  for (PackedFogPlane& plane : scene.fog_planes)
+    plane = PackedFogPlane(plane.transform() + 1, plane.direction(), plane.start());
   for (auto& node : scene.event_nodes) node->subject += node->kind == PackedEventKind::proximity_sensor ? 1 : 0;
   make_room_in_bindings(scene);
 }

@@ -98,7 +98,7 @@ TightFit fit_of(const Stage& stage) {
   const World world = stage.world();
   const View camera = stage.camera();
   Messages ignored;
-  FitInput input = fit_input(stage.package(), stage.scene(), world, 0);
+  FitInput input = fit_input(stage.scene(), world, 0);
   input.camera = &camera;
   FitMemory memory;
   return fit_tightly(light_frame(stage.scene(), *stage.scene().shadow_maps()->Get(0), stage.slots(), world, ignored), input,

@@ -57,7 +57,6 @@ class Stage {
   const std::vector<std::string>& said() const { return said_; }
   const FrameStatistics& statistics() const { return statistics_; }
   const PackedScene& scene() const;
-  const Package& package() const { return *compiled_.package; }
   World world() const;
   const Slots& slots() const;
   View camera() const;

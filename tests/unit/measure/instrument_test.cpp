@@ -29,6 +29,7 @@ TEST(Instrument, PutsAllOfASceneUnderOneTransform) {
   scene.billboards.emplace_back(place, builder.vec3(0, 1, 0));
   scene.lod_levels.emplace_back(place, builder.vec3(0, 0, 0), 0, 9);
   scene.clip_planes.emplace_back(place, builder.slot(PackedValueType::vec4, {0, 1, 0, 0}), flag);
+  scene.fog_planes.emplace_back(place, builder.vec3(0, -1, 0), builder.number(0));
   scene.screen_effects.push_back(std::make_unique<PackedScreenEffectT>());
   scene.screen_effects[0]->transform = place;
   scene.screen_effects[0]->program = builder.flat_program();
@@ -47,6 +48,7 @@ TEST(Instrument, PutsAllOfASceneUnderOneTransform) {
   EXPECT_EQ(under.billboards[0].transform(), 1U);
   EXPECT_EQ(under.lod_levels[0].transform(), 1U);
   EXPECT_EQ(under.clip_planes[0].transform(), 1);
+  EXPECT_EQ(under.fog_planes[0].transform(), 1);
   EXPECT_EQ(under.screen_effects[0]->transform, 1);
   EXPECT_EQ(under.event_nodes[0]->subject, 1);
 }
