@@ -89,10 +89,8 @@ class Cascade {
 /// The time sensors, each with its inputs.
 template <typename Function>
 void each_clock(const EventGraph& graph, const PackedScene& scene, const Slots& slots, Function function) {
-  for (flatbuffers::uoffset_t i = 0; i < node_count(scene); ++i) {
-    const PackedEventNode& node = *scene.event_nodes()->Get(i);
-    if (node.kind() == PackedEventKind::time_sensor) function(i, EventNodeInputs{node, slots, {}, graph.time});
-  }
+  for (const std::uint32_t clock : graph.clocks)
+    function(clock, EventNodeInputs{*scene.event_nodes()->Get(clock), slots, {}, graph.time});
 }
 
 double moment_of(const EventGraph& graph, std::uint32_t index, const EventNodeInputs& inputs) {
@@ -151,6 +149,7 @@ EventGraph make_event_graph(const PackedScene& scene) {
   graph.memory.resize(node_count(scene));
   for (flatbuffers::uoffset_t i = 0; i < node_count(scene); ++i) {
     const PackedEventNode& node = *scene.event_nodes()->Get(i);
+    if (node.kind() == PackedEventKind::time_sensor) graph.clocks.push_back(i);
     for (flatbuffers::uoffset_t input = 0; input < node.inputs()->size(); ++input) {
       const std::uint32_t slot = node.inputs()->Get(input);
       if (slot != kNoSlot && wakes(node, input)) graph.listeners.emplace_back(slot, i);

@@ -12,9 +12,10 @@ namespace plugc {
 
 /// What has happened in a scene so far.
 struct EventGraph {
-  double time = -1;                 ///< Up to which everything has happened; less than 0: nothing has.
-  bool ticking = false;             ///< Clocks run: some time has passed since the scene was loaded.
-  std::vector<EventMemory> memory;  ///< By event node.
+  double time = -1;                   ///< Up to which everything has happened; less than 0: nothing has.
+  bool ticking = false;               ///< Clocks run: some time has passed since the scene was loaded.
+  std::vector<EventMemory> memory;    ///< By event node.
+  std::vector<std::uint32_t> clocks;  ///< The event nodes that are time sensors, in order.
   /// Slots that wake a node, with the node, in order.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> listeners;
   std::map<std::uint32_t, std::vector<double>> from_outside;  ///< What a host has written to slots.
