@@ -1,7 +1,7 @@
 #pragma once
 // The event graph of a scene in the package.
 
-#include "package/pack_program.h"
+#include "package/source_list.h"
 #include "package_generated.h"
 #include "scene/scene.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "compose/castle_names.h"
-#include "package/pack_program.h"
+#include "package/pack_bindings.h"
 
 namespace plugc {
 

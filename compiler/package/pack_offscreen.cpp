@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "package/pack_program.h"
+#include "package/pack_bindings.h"
 #include "package/pack_shape.h"
 #include "package/pack_texture.h"
 

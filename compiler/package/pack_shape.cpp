@@ -5,7 +5,7 @@
 
 #include "compose/castle_names.h"
 #include "mesh/mirror_window.h"
-#include "package/pack_program.h"
+#include "package/pack_bindings.h"
 #include "package/pack_style.h"
 
 namespace plugc {
