@@ -16,6 +16,7 @@ class OneFunction {
  public:
   OneFunction(std::vector<PackedScriptStep> steps, std::size_t variables = 1) {
     PackedScriptT script;
+    script.origin = std::make_unique<PackedLineOrigin>(0, 1);
     script.values.assign(variables, 0.0);
     for (std::size_t i = 0; i < variables; ++i) script.variables.emplace_back(static_cast<std::uint32_t>(i), 1, -1);
     script.functions.emplace_back(-1, kNoSlot, kNoSlot, 0, static_cast<std::uint32_t>(steps.size()));
