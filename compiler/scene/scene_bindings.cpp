@@ -38,6 +38,11 @@ std::vector<std::uint32_t> slots_of(SceneContext& context, BindKind kind, std::s
   return slots;
 }
 
+bool limits_sight(const SceneContext& context, NodeId navigation_info) {
+  return context.graph.number(navigation_info, "visibilityLimit") > 0 ||
+         context.slots.may_change(navigation_info, "visibilityLimit");
+}
+
 }  // namespace
 
 void find_changing_stacks(SceneContext& context) {
@@ -96,6 +101,15 @@ void add_changing_headlight(SceneContext& context) {
   SceneLight& light = context.scene.lights.back();
   light.on = choose(context, BindKind::navigation_info, SlotType::bool_, light.on,
                     slots_of(context, BindKind::navigation_info, "headlight"));
+}
+
+std::uint32_t visibility_limit(SceneContext& context, NodeId first) {
+  const BindStack& stack = stack_of(context, BindKind::navigation_info);
+  const auto limits = [&](NodeId node) { return limits_sight(context, node); };
+  if (!stack.changes) return first.valid() && limits(first) ? context.slots.slot(first, "visibilityLimit") : kSceneNoSlot;
+  if (std::ranges::none_of(stack.nodes, limits)) return kSceneNoSlot;
+  return choose(context, BindKind::navigation_info, SlotType::float_, context.slots.constant(SlotType::float_, {0}),
+                slots_of(context, BindKind::navigation_info, "visibilityLimit"));
 }
 
 void add_set_bind_slots(SceneContext& context) {
