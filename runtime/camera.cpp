@@ -11,7 +11,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "runtime/perspective.h"
-#include "runtime/sight_limit.h"
 #include "runtime/world.h"
 
 namespace plugc {
@@ -199,10 +198,8 @@ View make_camera(const PackedScene& scene, const Slots& slots, const World& worl
                  Messages& messages) {
   report_unknown_viewpoint(scene, wanted, messages);
   const std::int32_t bound = bound_viewpoint(scene, slots, wanted);
-  View view = bound < 0 ? view_of_world(world, aspect)
-                        : view_from(*scene.viewpoints()->Get(static_cast<std::uint32_t>(bound)), slots, world, aspect);
-  limit_sight(view, sight_limit(scene, slots));
-  return view;
+  return bound < 0 ? view_of_world(world, aspect)
+                   : view_from(*scene.viewpoints()->Get(static_cast<std::uint32_t>(bound)), slots, world, aspect);
 }
 
 }  // namespace plugc

@@ -60,7 +60,7 @@ View flat_camera(Frame& frame, const PackedRenderedTexture& packed, double aspec
 SceneView flat_view(Frame& frame, const PackedRenderedTexture& packed, const RenderedTexture& made) {
   const double aspect = static_cast<double>(made.width) / made.height;
   SceneView view;
-  view.camera = settled_camera(frame.scene, [&] { return flat_camera(frame, packed, aspect); });
+  look_through(frame.scene, settled_camera(frame.scene, [&] { return flat_camera(frame, packed, aspect); }), view);
   const bool as_picture = packed.viewpoint() < 0 && !packed.own_scene();
   if (as_picture) view.viewpoint = bound_viewpoint(*frame.scene.packed, frame.scene.slots, frame.options.viewpoint);
   return view;
@@ -103,7 +103,7 @@ std::optional<SceneView> mirror_view(Frame& frame, const PackedRenderedTexture& 
   SceneView view;
   view.camera = *camera;
   view.without_shape = index;
-  view.clips_near = true;
+  view.clips_depth = true;
   return view;
 }
 
@@ -132,7 +132,7 @@ SceneView draw_cube(Frame& frame, std::uint32_t index) {
   set_background(scene, index, view);
   place_for_viewer(scene, view.shadow_camera);
   for (unsigned face = 0; face < kCubeFaceCount; ++face) {
-    view.camera = cube_face(view.shadow_camera, face);
+    look_through(scene, cube_face(view.shadow_camera, face), view);
     draw(frame, made, face, view);
   }
   return view;

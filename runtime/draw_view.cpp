@@ -22,6 +22,12 @@ std::array<float, 3> background_of(const LoadedScene& scene, std::uint32_t slot)
 
 }  // namespace
 
+void look_through(const LoadedScene& scene, const View& camera, SceneView& view) {
+  view.camera = camera;
+  const bool in_world = scene.placed_scene < 0;  // a texture's own scene has no viewer
+  view.clips_depth = in_world && limit_sight(view.camera, sight_limit(*scene.packed, scene.slots));
+}
+
 Pass color_pass(const Frame& frame, const FrameTarget& target, const SceneView& view) {
   Pass pass{.view = view.camera, .shadows = frame.options.shadows};
   for (const ShadowMap& map : frame.scene.shadow_maps) {
@@ -39,13 +45,13 @@ void draw_view(Frame& frame, const FrameTarget& target, const SceneView& view) {
   for (const LiveMesh& live : frame.scene.live_meshes.list) frame.scene.resources.rewrite_mesh(live);
   if (frame.options.shadows) {
     draw_shadow_maps(frame, view.shadow_camera);
-    trace_shadows(frame.gl, frame.scene, view.camera, view.clips_near, target.width, target.height, frame.messages);
+    trace_shadows(frame.gl, frame.scene, view.camera, view.clips_depth, target.width, target.height, frame.messages);
   }
   Pass pass = color_pass(frame, target, view);
   gl::begin_color_pass(frame.gl, target.framebuffer, target.width, target.height,
                        background_of(frame.scene, view.background_color));
   frame.statistics.draw_calls += draw_backdrop(frame.gl, frame.scene, pass, view.backdrop_of, frame.messages);
-  if (view.clips_near || sight_limit(*frame.scene.packed, frame.scene.slots) > 0) gl::clip_depth(frame.gl, true);
+  if (view.clips_depth) gl::clip_depth(frame.gl, true);
   for (const std::uint32_t shape : draw_order(frame.scene, view.camera)) {
     if (static_cast<std::int32_t>(shape) == view.without_shape) continue;
     frame.statistics.draw_calls += draw_shape(frame.gl, frame.scene, pass, shape, frame.messages) ? 1 : 0;

@@ -14,8 +14,11 @@ struct SceneView {
   std::int32_t without_shape = -1;  ///< It is not drawn, though it casts its shadow.
   std::uint32_t background_color = kNoSlot;
   std::int32_t backdrop_of = -1;  ///< The rendered texture that has its own backdrop; -1: the world's is around the view.
-  bool clips_near = false;        ///< What is before the camera's near plane is not there: that is a mirror.
+  bool clips_depth = false;       ///< Nothing is before the camera's near plane, or behind its far plane.
 };
+
+/// Looks through the camera at the scene as it is placed, as far as the viewer sees.
+void look_through(const LoadedScene& scene, const View& camera, SceneView& view);
 
 /// Draws the shadow maps that are out of date for the view, then the view, which `scene.world` must be placed for.
 void draw_view(Frame& frame, const FrameTarget& target, const SceneView& view);

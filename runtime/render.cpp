@@ -21,7 +21,7 @@ View look(Frame& frame, const FrameTarget& target) {
 SceneView picture_view(Frame& frame, const FrameTarget& target) {
   LoadedScene& scene = frame.scene;
   SceneView view;
-  view.camera = settled_camera(scene, [&] { return look(frame, target); });
+  look_through(scene, settled_camera(scene, [&] { return look(frame, target); }), view);
   view.shadow_camera = view.camera;
   view.viewpoint = bound_viewpoint(*scene.packed, scene.slots, frame.options.viewpoint);
   view.background_color = scene.packed->background_color();

@@ -135,7 +135,7 @@ std::vector<std::uint32_t> maps_to_trace(LoadedScene& scene) {
 
 }  // namespace
 
-void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, bool clips_near, GLsizei width,
+void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, bool clips_depth, GLsizei width,
                    GLsizei height, Messages& messages) {
   const std::vector<std::uint32_t> maps = maps_to_trace(scene);
   if (maps.empty()) return;
@@ -145,7 +145,7 @@ void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& came
     messages.add("shadows cannot be traced at " + std::to_string(width) + " by " + std::to_string(height) + ", so all is lit");
     return;
   }
-  gl::clip_depth(gl, clips_near);
+  gl::clip_depth(gl, clips_depth);
   draw_numbers(gl, scene, camera, messages);
   const std::vector<float> triangles = gl::read_triangles(gl, scene.traced.pass);
   for (const std::uint32_t index : maps) {

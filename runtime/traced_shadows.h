@@ -37,9 +37,9 @@ struct TracedShadows {
 };
 
 /// Traces the shadows of every light of that method for a picture of that size; each answer is the texture of the light's
-/// ShadowMap. Blended shapes get the shadow of what is behind them. With `clips_near` what is before the camera's near plane
-/// hides nothing. Says in `messages` why nothing can be traced.
-void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, bool clips_near, GLsizei width,
+/// ShadowMap. Blended shapes get the shadow of what is behind them. With `clips_depth` what is before the camera's near plane
+/// or behind its far plane is not seen. Says in `messages` why nothing can be traced.
+void trace_shadows(const gl::Functions& gl, LoadedScene& scene, const View& camera, bool clips_depth, GLsizei width,
                    GLsizei height, Messages& messages);
 
 }  // namespace plugc

@@ -24,11 +24,6 @@ void add_dynamic_slots(SceneContext& context) {
   for (const DynamicField& field : context.dynamic) context.slots.declared_slot(field.node, field.name);
 }
 
-bool limits_sight(const SceneContext& context, NodeId navigation_info) {
-  return context.graph.number(navigation_info, "visibilityLimit") > 0 ||
-         context.slots.may_change(navigation_info, "visibilityLimit");
-}
-
 }  // namespace
 
 void SceneWalk::run() {
@@ -39,8 +34,7 @@ void SceneWalk::run() {
   find_changing_stacks(context_);
   visit_list(roots);
   finish_bindings();
-  if (navigation_info_.valid() && limits_sight(context_, navigation_info_))
-    context_.scene.visibility_limit = context_.slots.slot(navigation_info_, "visibilityLimit");
+  context_.scene.visibility_limit = visibility_limit(context_, navigation_info_);
   add_background();
   if (context_.options.all_branches) add_unreached_effects();
   separate_mirrors(context_.scene, context_.own_backgrounds);

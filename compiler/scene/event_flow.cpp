@@ -107,7 +107,7 @@ std::set<EventField> find_live(const NodeGraph& graph, const Scripts& scripts, c
 
 std::optional<BindKind> bind_kind(const NodeGraph& graph, NodeId node) {
   if (graph.is(node, "Viewpoint") || graph.is(node, "OrthoViewpoint")) return BindKind::viewpoint;
-  if (graph.is(node, "Background") || graph.is(node, "TextureBackground")) return BindKind::background;
+  if (graph.is(node, "X3DBackgroundNode")) return BindKind::background;
   if (graph.is(node, "NavigationInfo") || graph.is(node, "KambiNavigationInfo")) return BindKind::navigation_info;
   return graph.is(node, "Fog") ? std::optional(BindKind::fog) : std::nullopt;
 }

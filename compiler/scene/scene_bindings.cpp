@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/scene_fog.h"
+
 namespace plugc {
 namespace {
 
@@ -36,6 +38,25 @@ std::vector<std::uint32_t> slots_of(SceneContext& context, BindKind kind, std::s
   std::vector<std::uint32_t> slots;
   for (const NodeId node : stack_of(context, kind).nodes) slots.push_back(context.slots.slot(node, field));
   return slots;
+}
+
+/// In layers where the first that may be seen is.
+void choose_layers(SceneContext& context, SceneFog& fog) {
+  const std::vector<NodeId>& nodes = stack_of(context, BindKind::fog).nodes;
+  const auto seen = std::ranges::find_if(nodes, [&](NodeId node) { return may_show(context, node); });
+  fog.volumetric = seen != nodes.end() && context.graph.boolean(*seen, "volumetric");
+  for (const NodeId node : nodes) report_other_depth(context, node, fog.volumetric);
+  if (!fog.volumetric) return;
+  const std::uint32_t down = context.slots.constant(SlotType::vec3, {0, -1, 0});
+  const std::uint32_t none = context.slots.constant(SlotType::float_, {0});
+  fog.direction = choose(context, BindKind::fog, SlotType::vec3, down, slots_of(context, BindKind::fog, "volumetricDirection"));
+  fog.start =
+      choose(context, BindKind::fog, SlotType::float_, none, slots_of(context, BindKind::fog, "volumetricVisibilityStart"));
+}
+
+bool limits_sight(const SceneContext& context, NodeId navigation_info) {
+  return context.graph.number(navigation_info, "visibilityLimit") > 0 ||
+         context.slots.may_change(navigation_info, "visibilityLimit");
 }
 
 }  // namespace
@@ -87,6 +108,7 @@ int add_changing_fog(SceneContext& context) {
   fog.visibility_range =
       choose(context, BindKind::fog, SlotType::float_, none, slots_of(context, BindKind::fog, "visibilityRange"));
   if (!all_alike) fog.exponential = choose(context, BindKind::fog, SlotType::float_, none, exponential);
+  choose_layers(context, fog);
   context.scene.fogs.push_back(fog);
   return static_cast<int>(context.scene.fogs.size() - 1);
 }
@@ -96,6 +118,15 @@ void add_changing_headlight(SceneContext& context) {
   SceneLight& light = context.scene.lights.back();
   light.on = choose(context, BindKind::navigation_info, SlotType::bool_, light.on,
                     slots_of(context, BindKind::navigation_info, "headlight"));
+}
+
+std::uint32_t visibility_limit(SceneContext& context, NodeId first) {
+  const BindStack& stack = stack_of(context, BindKind::navigation_info);
+  const auto limits = [&](NodeId node) { return limits_sight(context, node); };
+  if (!stack.changes) return first.valid() && limits(first) ? context.slots.slot(first, "visibilityLimit") : kSceneNoSlot;
+  if (std::ranges::none_of(stack.nodes, limits)) return kSceneNoSlot;
+  return choose(context, BindKind::navigation_info, SlotType::float_, context.slots.constant(SlotType::float_, {0}),
+                slots_of(context, BindKind::navigation_info, "visibilityLimit"));
 }
 
 void add_set_bind_slots(SceneContext& context) {

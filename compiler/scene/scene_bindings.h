@@ -17,11 +17,14 @@ void note_bindable(SceneContext& context, NodeId node, int transform, bool may_b
 std::uint32_t bound_index(SceneContext& context, BindKind kind);
 /// The slot of the bound Background's skyColor; what `otherwise` holds while none is bound.
 std::uint32_t bound_sky_color(SceneContext& context, std::uint32_t otherwise);
-/// A fog with the values of the one that is bound, in units of the first; its index in context.scene.fogs. There is at least
-/// one.
+/// A fog with the values of the one that is bound, in units of the first, and in its space where it lies in layers; its index
+/// in context.scene.fogs. There is at least one.
 int add_changing_fog(SceneContext& context);
 /// The headlight, on where the bound NavigationInfo says so, or none is bound. Their `headlightNode`s do not count.
 void add_changing_headlight(SceneContext& context);
+/// The slot of the bound NavigationInfo's visibilityLimit, also where that does not change; none where nothing can be limited.
+/// `first`: the one that is bound at the start, if any.
+std::uint32_t visibility_limit(SceneContext& context, NodeId first);
 
 /// Makes the slots that bind nodes, which are what events must reach.
 void add_set_bind_slots(SceneContext& context);

@@ -1,11 +1,14 @@
 // Fog and LocalFog (X3D 4.1, clause 24). A rendered texture may show the world in another fog than the picture. The world's
 // shapes have one program each, so while such a texture is drawn the values of its fog stand in the place of the world's; where
-// their types differ, the type is a value, too.
+// their types differ, the type is a value, too. Whether it lies in layers is no value: a program has the one depth or the
+// other.
+
+#include "scene/scene_fog.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "scene/scene_context.h"
+#include <fmt/format.h>
 
 namespace plugc {
 
@@ -24,12 +27,17 @@ std::uint32_t add_slot(SceneContext& context, SlotType type, std::vector<double>
   return static_cast<std::uint32_t>(context.scene.slots.size() - 1);
 }
 
-/// One that hides nothing, until another lends it its values.
-int add_clear_fog(SceneContext& context, FogKind kind) {
+/// One that hides nothing, until one as `like` lends it its values.
+int add_clear_fog(SceneContext& context, NodeId like) {
   SceneFog fog;
-  fog.kind = kind;
+  fog.kind = read_kind(context.graph, like);
   fog.color = add_slot(context, SlotType::vec3, {1, 1, 1});
   fog.visibility_range = add_slot(context, SlotType::float_, {0});
+  fog.volumetric = context.graph.boolean(like, "volumetric");
+  if (fog.volumetric) {
+    fog.direction = add_slot(context, SlotType::vec3, {0, -1, 0});
+    fog.start = add_slot(context, SlotType::float_, {0});
+  }
   context.scene.fogs.push_back(fog);
   return static_cast<int>(context.scene.fogs.size() - 1);
 }
@@ -51,9 +59,20 @@ std::vector<OwnFog> own_fogs(SceneContext& context) {
 
 }  // namespace
 
+bool may_show(const SceneContext& context, NodeId fog) {
+  return context.graph.number(fog, "visibilityRange") > 0 || context.slots.may_change(fog, "visibilityRange");
+}
+
+void report_other_depth(SceneContext& context, NodeId fog, bool volumetric) {
+  if (context.graph.boolean(fog, "volumetric") == volumetric || !may_show(context, fog)) return;
+  context.diagnostics.report(
+      DiagnosticId::not_drawn, context.graph[fog].type_span,
+      fmt::format("this fog is drawn with `volumetric {}`, as the one whose place it takes", volumetric ? "TRUE" : "FALSE"));
+}
+
 int add_fog(SceneContext& context, NodeId node, int transform) {
   SlotTable& slots = context.slots;
-  if (context.graph.number(node, "visibilityRange") <= 0 && !slots.may_change(node, "visibilityRange")) return -1;
+  if (!may_show(context, node)) return -1;
   SceneFog fog;
   fog.kind = read_kind(context.graph, node);
   fog.transform = transform;
@@ -72,7 +91,7 @@ void lend_own_fogs(SceneContext& context, std::optional<int>& bound) {
   const NodeGraph& graph = context.graph;
   const std::vector<OwnFog> own = own_fogs(context);
   if (own.empty()) return;
-  if (bound.value_or(-1) < 0) bound = add_clear_fog(context, read_kind(graph, own.front().node));
+  if (bound.value_or(-1) < 0) bound = add_clear_fog(context, own.front().node);
   SceneFog& world = context.scene.fogs[static_cast<std::size_t>(*bound)];
   const bool differ = std::ranges::any_of(own, [&](const OwnFog& fog) { return read_kind(graph, fog.node) != world.kind; });
   if (differ && world.kind != FogKind::either) {
@@ -83,6 +102,11 @@ void lend_own_fogs(SceneContext& context, std::optional<int>& bound) {
     std::vector<SlotLoan>& loans = fog.texture->loans;
     loans.push_back({context.slots.slot(fog.node, "color"), world.color});
     loans.push_back({context.slots.slot(fog.node, "visibilityRange"), world.visibility_range});
+    report_other_depth(context, fog.node, world.volumetric);
+    if (world.volumetric) {
+      loans.push_back({context.slots.slot(fog.node, "volumetricDirection"), world.direction});
+      loans.push_back({context.slots.slot(fog.node, "volumetricVisibilityStart"), world.start});
+    }
     if (!differ) continue;
     const double exponential = read_kind(graph, fog.node) == FogKind::exponential ? 1 : 0;
     loans.push_back({context.slots.constant(SlotType::float_, {exponential}), world.exponential});

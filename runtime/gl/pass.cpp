@@ -1,5 +1,6 @@
-// GL_DEPTH_CLAMP is on in every pass but what a mirror shows: a caster between the light and the near plane still casts, and no
-// camera fit can cut a hole into a scene. What is clamped keeps its place in the picture and loses only its order in depth.
+// GL_DEPTH_CLAMP is on in every pass that does not ask for clip_depth(): a caster between the light and the near plane still
+// casts, and no camera fit can cut a hole into a scene. What is clamped keeps its place in the picture and loses only its order
+// in depth.
 
 #include "runtime/gl/pass.h"
 

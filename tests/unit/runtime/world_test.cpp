@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "runtime/sight_limit.h"
 #include "test_scene.h"
 
 namespace plugc {
@@ -250,21 +251,24 @@ TEST(Camera, AppliesAVerticalFieldOfViewToTheHeight) {
   EXPECT_NEAR(tall.projection[1][1], 1, 1e-12);
 }
 
-TEST(Camera, SeesAsFarAsTheVisibilityLimit) {
+TEST(SightLimit, IsTheFarPlaneOfWhatWouldBeSeenFarther) {
   SceneBuilder builder;
   const std::int32_t far_away = builder.transform(-1, builder.vec3(0, 0, -90));
   builder.flat_shape(builder.square(1), builder.flat_program(), {1, 1, 1, 1}, far_away);
   builder.scene().viewpoints.push_back(std::make_unique<PackedViewpointT>());
-  const auto clip_depth = [&](double limit, double distance) {
-    builder.scene().visibility_limit = builder.number(limit);
-    Messages messages;
-    const glm::dvec4 clip = camera_of(builder.pack(), "", messages).projection * glm::dvec4(0, 0, -distance, 1);
+  Messages messages;
+  const View fitted = camera_of(builder.pack(), "", messages);
+  View view = fitted;
+  const auto depth_at = [&](double distance) {
+    const glm::dvec4 clip = view.projection * glm::dvec4(0, 0, -distance, 1);
     return clip.z / clip.w;
   };
-  EXPECT_NEAR(clip_depth(30, 30), 1, 1e-9);
-  EXPECT_LT(clip_depth(30, 20), 1);
-  EXPECT_LT(clip_depth(0, 100), 1) << "0 is no limit";
-  EXPECT_LT(clip_depth(1000, 100), 1) << "nothing lies as far as that";
+  EXPECT_FALSE(limit_sight(view, 0)) << "0 is no limit";
+  EXPECT_FALSE(limit_sight(view, 1000)) << "nothing lies as far as that";
+  EXPECT_EQ(view.projection, fitted.projection);
+  EXPECT_TRUE(limit_sight(view, 30));
+  EXPECT_NEAR(depth_at(30), 1, 1e-9);
+  EXPECT_NEAR(depth_at(0.003), -1, 1e-9) << "what is much nearer than the box is not cut";
 }
 
 TEST(Camera, FindsViewpointsByNameThenByIndex) {
