@@ -7,8 +7,10 @@
 namespace plugc {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr Vrml1Binding kPerVertex = {Vrml1Per::vertex, false}, kPerVertexIndexed = {Vrml1Per::vertex, true};
 constexpr Vrml1Binding kPerFace = {Vrml1Per::face, false}, kPerFaceIndexed = {Vrml1Per::face, true};
@@ -100,6 +102,20 @@ TEST(Vrml1, NodesAreNestedToALimit) {
   std::string body;
   for (int i = 0; i < 600; ++i) body += "Separator { ";
   EXPECT_THAT(Reading("#VRML V1.0 ascii\n" + body + "Cube { }").messages(), HasSubstr("nodes are nested more than 512 deep"));
+}
+
+TEST(Vrml1, OfAFieldThatIsGivenTwiceTheLastValueCounts) {
+  const Reading reading("#VRML V1.0 ascii\nSphere { radius 2 radius 3 radius [ ] }");
+  EXPECT_THAT(reading.messages(), HasSubstr("2:19 6 `radius` of `Sphere` is given twice; the last value counts\n"));
+  EXPECT_THAT(reading.dump(), AllOf(HasSubstr("3"), Not(HasSubstr("2 "))));
+}
+
+TEST(Vrml1, ALongNameIsCutAndNumberedAtItsBeginning) {
+  const std::string name(5000, 'n');
+  const Reading reading("#VRML V1.0 ascii\nDEF " + name + " Separator { Cube { } } Material { } USE " + name);
+  EXPECT_THAT(reading.messages(), HasSubstr("2:5 5000 a name is longer than 1024 bytes; only its beginning counts\n"));
+  EXPECT_THAT(reading.dump(), HasSubstr("DEF " + std::string(1023, 'n') + " Group"));
+  EXPECT_THAT(reading.dump(), HasSubstr("DEF " + std::string(64, 'n') + "_2 Group"));
 }
 
 TEST(Vrml1, AnOddHeaderIsTold) {
