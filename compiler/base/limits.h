@@ -16,6 +16,7 @@ inline constexpr std::size_t kMaxDocumentNumbers = 64'000'000;        ///< Numbe
 inline constexpr std::size_t kMaxGltfValues = 4'000'000;              ///< Numbers, strings, lists, objects of glTF's JSON.
 inline constexpr std::size_t kMaxDiagnostics = 10'000;                ///< Different things said in one run.
 inline constexpr std::uint32_t kMaxNesting = 512;                     ///< Nodes inside nodes, as written.
+inline constexpr std::uint32_t kMaxLightNesting = 256;                ///< Where lights of VRML 1.0 open no more groups.
 inline constexpr std::uint32_t kMaxInlineDepth = 32;                  ///< Inline inside Inline.
 inline constexpr std::uint32_t kMaxProtoDepth = 64;                   ///< Prototype inside prototype, expanded.
 inline constexpr std::uint32_t kMaxSceneNodes = 2'000'000;            ///< Nodes after expansion.

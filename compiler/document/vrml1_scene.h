@@ -80,6 +80,7 @@ class Vrml1Scene {
   void move(std::uint32_t transform, Gathering& all) const;
   glm::dmat4 matrix_of(std::uint32_t node) const;
   void write_items(const Gathering& all, Items items);
+  bool opens_group(const Span& light);
   void write_run(const Gathering& all, Items run);
   void write_item(const Vrml1Child& child, const Vrml1State& state);
   /// A Group, or what puts its children where the placement says.
@@ -186,6 +187,7 @@ class Vrml1Scene {
   std::vector<TextureTransform> texture_transforms_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> texture_numbers_;  // of them, by what they are made of
   std::uint32_t depth_ = 0;
+  bool lights_are_mixed_ = false;  // with shapes that they should not light; reported
   std::size_t work_ = 0;
 };
 
