@@ -56,9 +56,7 @@ OpenBody DocumentBuilder::open_body() const {
 void DocumentBuilder::cut(Name& name) {
   diagnostics.report(DiagnosticId::syntax, name.span,
                      fmt::format("a name is longer than {} bytes; only its beginning counts", kMaxNameBytes));
-  std::size_t end = kMaxNameBytes;
-  while (end > 0 && (static_cast<unsigned char>(name.text[end]) & 0xC0U) == 0x80U) --end;
-  name.text = name.text.substr(0, end);
+  name.text = beginning_of(name.text, kMaxNameBytes);
 }
 
 void DocumentBuilder::give(NodeSyntax& node, NodeExtras& extras) {
@@ -242,12 +240,16 @@ std::string_view in_words(ValueKind kind) {
   }
 }
 
+std::string_view beginning_of(std::string_view text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  std::size_t end = bytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end);
+}
+
 std::string_view shown(std::string_view name) {
   constexpr std::size_t kLongest = 32;
-  if (name.size() <= kLongest) return name;
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
-  return name.substr(0, end);
+  return beginning_of(name, kLongest);
 }
 
 void set_version(DocumentBuilder& builder, std::string_view text, const Span& span) {

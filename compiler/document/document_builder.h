@@ -74,6 +74,10 @@ class DocumentBuilder {
   void close_body(const OpenBody& body, NodeSyntax& node, NodeExtras& extras);
   void give(NodeSyntax& node, NodeExtras& extras);
 
+  /// A name that is too long is reported and cut, so that no message quotes megabytes of it, over and over.
+  void limit(Name& name) {
+    if (name.text.size() > kMaxNameBytes) cut(name);
+  }
   void add_field(FieldSyntax field, const Span& place) {
     limit(field.name);
     if (admit(place)) fields.add(field);
@@ -136,10 +140,6 @@ class DocumentBuilder {
  private:
   void stop_at_limit(const Span& place, std::size_t limit, std::string_view of);
   Span place_of(std::string_view part, const Span& whole) const;
-  /// A name that is too long is reported and cut, so that no message quotes megabytes of it, over and over.
-  void limit(Name& name) {
-    if (name.text.size() > kMaxNameBytes) cut(name);
-  }
   void cut(Name& name);
   std::size_t items_ = 0;
   std::size_t mistakes_ = 0;
@@ -155,7 +155,9 @@ std::string described(std::string_view token);
 /// What a list of that kind holds: "numbers", "strings", ...
 std::string_view in_words(ValueKind kind);
 
-/// As much of a name from the input as a message should repeat; cut between characters.
+/// As much of a text as that many bytes hold; cut between characters.
+std::string_view beginning_of(std::string_view text, std::size_t bytes);
+/// As much of a name from the input as a message should repeat.
 std::string_view shown(std::string_view name);
 
 /// Takes `3.2` for the document's version and warns when there is no such version.

@@ -1,5 +1,6 @@
 // A name keeps its letters; what X3D does not take in a name (part 2, 5.2: blanks, quotes, `#`, commas, dots, brackets,
-// backslashes, braces, a digit or sign in front) becomes `_`, and the second of a name is `name_2`.
+// backslashes, braces, a digit or sign in front) becomes `_`, and the second of a name is `name_2` (of a long one, of its
+// beginning).
 
 #include "document/node_writer.h"
 
@@ -23,7 +24,7 @@ bool is_word_of_the_language(std::string_view name) {
 }
 
 std::string valid_name(std::string_view wanted) {
-  std::string name(wanted);
+  std::string name(beginning_of(wanted, kMaxNameBytes - 1));  // it may get a `_` in front
   std::ranges::replace_if(
       name, [](char c) { return !may_stand_in_name(c); }, '_');
   const bool odd_start = !name.empty() && std::string_view("0123456789+-").find(name[0]) != std::string_view::npos;
@@ -86,16 +87,17 @@ void NodeWriter::use(const Name& def, const Span& place) {
 }
 
 Name NodeWriter::define(std::string_view wanted, std::string_view otherwise, const Span& place) {
-  std::string name = valid_name(wanted.empty() ? otherwise : wanted);
-  for (;;) {
-    std::size_t& next = names_[name];
-    if (next++ == 0) break;
-    std::string numbered = fmt::format("{}_{}", name, next);
-    if (!names_.contains(numbered)) {
-      names_[numbered] = 1;
-      name = std::move(numbered);
-      break;
-    }
+  constexpr std::size_t kNumberedBytes = 64;  // of a name that may be there any number of times
+  Name whole{wanted.empty() ? otherwise : wanted, place};
+  build_.limit(whole);
+  std::string name = valid_name(whole.text);
+  if (!names_.try_emplace(name, 1).second) {
+    const std::string beginning(beginning_of(name, kNumberedBytes));
+    std::size_t& last = names_[beginning];
+    do {
+      last = std::max<std::size_t>(last + 1, 2);
+      name = fmt::format("{}_{}", beginning, last);
+    } while (!names_.try_emplace(name, 1).second);
   }
   return {build_.document.decoded_names.emplace_back(std::move(name)), place};
 }

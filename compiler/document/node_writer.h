@@ -60,7 +60,7 @@ class NodeWriter {
 
  private:
   DocumentBuilder& build_;
-  std::unordered_map<std::string, std::size_t> names_;  // and the number that the next of that name gets
+  std::unordered_map<std::string, std::size_t> names_;  // and the number that the last of that name got
 };
 
 }  // namespace plugc

@@ -41,9 +41,16 @@ void Vrml1Reader::read_child() {
   if (node && build_.admit(scan_.span_from(begin))) children_.add({*node, scan_.span_from(begin)});
 }
 
+/// Behind DEF or USE; cut, as each visit to the node may write it.
+Name Vrml1Reader::take_name() {
+  Name name = scan_.take_bare();
+  build_.limit(name);
+  return name;
+}
+
 std::optional<std::uint32_t> Vrml1Reader::read_use() {
   scan_.take_word();
-  const Name name = scan_.take_bare();
+  const Name name = take_name();
   if (name.empty()) {
     expected("a name behind `USE`");
     return std::nullopt;
@@ -69,7 +76,7 @@ std::optional<std::uint32_t> Vrml1Reader::read_node() {
   Vrml1Node node;
   if (scan_.peek_word() == "DEF") {
     scan_.take_word();
-    node.def = scan_.take_bare();
+    node.def = take_name();
     if (node.def.empty()) expected("a name behind `DEF`");
   }
   if (!scan_.next_is(kWordStart)) {
@@ -101,31 +108,31 @@ std::optional<std::uint32_t> Vrml1Reader::read_node() {
 void Vrml1Reader::read_body(Vrml1Node& node) {
   scan_.take('{');
   ++depth_;
-  const std::size_t fields = fields_.open(), children = children_.open();
-  Declared declared;
-  while (!stopped() && !scan_.at_end() && scan_.next() != '}') read_body_item(node, declared);
-  node.fields = fields_.close(fields, tree_.fields);
+  const std::size_t children = children_.open();
+  Body body{fields_.open(), {}};
+  while (!stopped() && !scan_.at_end() && scan_.next() != '}') read_body_item(node, body);
+  node.fields = fields_.close(body.first_field, tree_.fields);
   node.children = children_.close(children, tree_.child_pool);
   --depth_;
   if (!scan_.take('}')) not_closed(node.type.span, fmt::format("`{}`", shown(node.type.text)));
   if (node.info == nullptr) report_unknown_node(node.type);
 }
 
-void Vrml1Reader::read_body_item(Vrml1Node& node, Declared& declared) {
+void Vrml1Reader::read_body_item(Vrml1Node& node, Body& body) {
   const std::string_view word = scan_.peek_word();
   if (word.empty()) {
     expected("the name of a field, a node or `}`");
     return scan_.skip_item();
   }
-  if (word == "fields") return read_declarations(declared);
+  if (word == "fields") return read_declarations(body);
   if (word == "isA") return read_is_a(node);
   if (node.info == nullptr) return pass_unknown_body();
   const Vrml1FieldInfo* field = find_field(*node.info, word);
   if (word == "DEF" || word == "USE" || (field == nullptr && scan_.brace_follows_word())) {
     return holds_nodes(node.info->kind) ? read_child() : read_misplaced_child(node);
   }
-  if (field != nullptr) return read_field(node, *field, declared);
-  read_unknown_field(node, declared);
+  if (field != nullptr) return read_field(node, *field, body);
+  read_unknown_field(node, body);
 }
 
 /// It is read, for its own mistakes and its name, and left out.
@@ -139,7 +146,7 @@ void Vrml1Reader::read_misplaced_child(const Vrml1Node& node) {
 }
 
 /// `fields [ SFFloat width, SFFloat height ]`: the fields of a node that the specification does not have.
-void Vrml1Reader::read_declarations(Declared& declared) {
+void Vrml1Reader::read_declarations(Body& body) {
   scan_.take_word();
   const Span bracket = scan_.next_span();
   if (!scan_.take('[')) return expected("`[` and the fields of the node");
@@ -147,7 +154,7 @@ void Vrml1Reader::read_declarations(Declared& declared) {
     scan_.take_word();
     const Name name = scan_.take_bare();
     if (name.empty()) return expected("the name of a field");
-    declared.insert(name.text);
+    body.declared.insert(name.text);
   }
   if (!scan_.take(']')) not_closed(bracket, "`[`");
 }
@@ -161,7 +168,7 @@ void Vrml1Reader::read_is_a(Vrml1Node& node) {
   for (const MappedText& type : build_.document.of(types.strings())) {
     if (node.info == nullptr) node.info = find_vrml1_node(type.text());
   }
-  if (build_.mistake_count() != mistakes && node.info != nullptr) pass_to_item(node, {});
+  if (build_.mistake_count() != mistakes && node.info != nullptr) pass_to_item(node, {fields_.open(), {}});
 }
 
 /// Up to its closing brace. The names inside are remembered: a USE of one is no further mistake.
@@ -172,7 +179,7 @@ void Vrml1Reader::pass_unknown_body() {
     if (scan_.next() == '}') --open;
     const bool defines = scan_.peek_word() == "DEF";
     scan_.take_token();
-    if (const Name name = defines ? scan_.take_bare() : Name(); !name.empty()) definitions_[name.text] = kLost;
+    if (const Name name = defines ? take_name() : Name(); !name.empty()) definitions_[name.text] = kLost;
   }
 }
 
@@ -183,27 +190,39 @@ void Vrml1Reader::report_unknown_node(const Name& type) {
                             fmt::format("VRML 1.0 has no node `{}`; each one is passed over", shown(type.text)));
 }
 
-void Vrml1Reader::read_field(const Vrml1Node& node, const Vrml1FieldInfo& info, const Declared& declared) {
+void Vrml1Reader::read_field(const Vrml1Node& node, const Vrml1FieldInfo& info, const Body& body) {
   const std::size_t mistakes = build_.mistake_count();
   Vrml1Field field{&info, scan_.take_word(), {}};
   field.value = read_value(node, info);
-  if (build_.mistake_count() != mistakes) pass_to_item(node, declared);
-  if (build_.admit(field.name.span)) fields_.add(field);
+  if (build_.mistake_count() != mistakes) pass_to_item(node, body);
+  add_field(node, field, body);
 }
 
-void Vrml1Reader::read_unknown_field(const Vrml1Node& node, const Declared& declared) {
+/// Once in a node: shapes without number may ask for it.
+void Vrml1Reader::add_field(const Vrml1Node& node, const Vrml1Field& field, const Body& body) {
+  const auto known = std::find_if(fields_.begin(body.first_field), fields_.end(),
+                                  [&](const Vrml1Field& one) { return one.info == field.info; });
+  if (!build_.admit(field.name.span)) return;
+  if (known == fields_.end()) return fields_.add(field);
+  build_.diagnostics.report(
+      DiagnosticId::field_repeated, field.name.span,
+      fmt::format("`{}` of `{}` is given twice; the last value counts", field.info->name, node.info->name));
+  if (field.value.kind != ValueKind::none) *known = field;
+}
+
+void Vrml1Reader::read_unknown_field(const Vrml1Node& node, const Body& body) {
   const Name name = scan_.take_word();
-  if (!declared.contains(name.text)) {
+  if (!body.declared.contains(name.text)) {
     build_.diagnostics.report(DiagnosticId::field_unknown, name.span,
                               fmt::format("`{}` of VRML 1.0 has no field `{}`", node.info->name, shown(name.text)));
   }
-  pass_to_item(node, declared);
+  pass_to_item(node, body);
 }
 
 /// To the next thing that can stand in the node's body, or its end.
-void Vrml1Reader::pass_to_item(const Vrml1Node& node, const Declared& declared) {
+void Vrml1Reader::pass_to_item(const Vrml1Node& node, const Body& body) {
   const auto begins_item = [&](std::string_view word) {
-    return word == "DEF" || word == "USE" || word == "fields" || word == "isA" || declared.contains(word) ||
+    return word == "DEF" || word == "USE" || word == "fields" || word == "isA" || body.declared.contains(word) ||
            (node.info != nullptr && find_field(*node.info, word) != nullptr) || scan_.brace_follows_word();
   };
   while (!scan_.at_end() && scan_.next() != '}') {

@@ -69,10 +69,17 @@ bool Vrml1Scene::has_faces(std::uint32_t shape) const {
 }
 
 /// What tells the materials of a list apart. Lines and points are not lit: they glow, or show their diffuse colour.
-std::string_view Vrml1Scene::color_field(std::uint32_t shape, const Vrml1State& state) const {
+std::string_view Vrml1Scene::color_field(std::uint32_t shape, const Vrml1State& state) {
   const std::uint32_t material = state.at(Vrml1Slot::material);
-  const bool glows = std::ranges::any_of(numbers(material, "emissiveColor"), [](double number) { return number > 0; });
-  return is_precomputed(material) || (glows && !has_faces(shape)) ? "emissiveColor" : "diffuseColor";
+  const bool glows = !has_faces(shape) && exceeds_zero(material, "emissiveColor");
+  return is_precomputed(material) || glows ? "emissiveColor" : "diffuseColor";
+}
+
+/// Whether any number of the list is above 0. Looked for once, as many shapes may have that material.
+bool Vrml1Scene::exceeds_zero(std::uint32_t material, std::string_view field) {
+  const auto [known, is_new] = exceeds_zero_.try_emplace({material, field});
+  if (is_new) known->second = std::ranges::any_of(numbers(material, field), [](double number) { return number > 0; });
+  return known->second;
 }
 
 // Textures
@@ -151,7 +158,7 @@ std::size_t Vrml1Scene::material_period(std::uint32_t material) const {
 }
 
 /// Of colours that parts of a shape can have, with the alphas that several transparencies make of them.
-std::size_t Vrml1Scene::color_count(std::uint32_t shape, const Vrml1State& state) const {
+std::size_t Vrml1Scene::color_count(std::uint32_t shape, const Vrml1State& state) {
   const std::uint32_t material = state.at(Vrml1Slot::material);
   const std::size_t colors = count_of(material, color_field(shape, state)), alphas = count_of(material, "transparency");
   return colors == 0 || alphas <= 1 ? colors : std::max(colors, alphas);
@@ -208,10 +215,10 @@ void Vrml1Scene::point_colors(std::uint32_t node, const Vrml1State& state, const
 }
 
 /// Whether parts of a shape differ in transparency, which the alphas of colours say alone.
-bool Vrml1Scene::has_transparencies(std::uint32_t shape, const Vrml1State& state) const {
-  const auto written = numbers(state.at(Vrml1Slot::material), "transparency");
+bool Vrml1Scene::has_transparencies(std::uint32_t shape, const Vrml1State& state) {
+  const std::uint32_t material = state.at(Vrml1Slot::material);
   const bool is_bound = material_binding(state).per != Vrml1Per::overall && color_count(shape, state) > 1;
-  return is_bound && written.size() > 1 && std::ranges::any_of(written, [](double one) { return one > 0; });
+  return is_bound && count_of(material, "transparency") > 1 && exceeds_zero(material, "transparency");
 }
 
 }  // namespace plugc

@@ -19,7 +19,7 @@ bool Vrml1Scene::has_part(std::uint32_t node, std::string_view field) const {
 }
 
 /// Parts of a cube are its faces.
-bool Vrml1Scene::has_bound_parts(std::uint32_t node, const Vrml1State& state) const {
+bool Vrml1Scene::has_bound_parts(std::uint32_t node, const Vrml1State& state) {
   const Vrml1Per per = material_binding(state).per;
   const bool is_cube = tree_.nodes[node].info->name == "Cube";
   const bool is_bound =

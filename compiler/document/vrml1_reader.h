@@ -21,23 +21,28 @@ class Vrml1Reader {
   Vrml1Tree read();
 
  private:
-  /// Names of fields that a node declares by `fields [ ]`.
-  using Declared = std::unordered_set<std::string_view>;
+  /// Of the node that is read.
+  struct Body {
+    std::size_t first_field;                        ///< In fields_.
+    std::unordered_set<std::string_view> declared;  ///< Names of fields, by `fields [ ]`.
+  };
 
   // read_vrml1.cpp: nodes
   void read_child();
+  Name take_name();
   std::optional<std::uint32_t> read_use();
   std::optional<std::uint32_t> read_node();
   void read_body(Vrml1Node& node);
-  void read_body_item(Vrml1Node& node, Declared& declared);
+  void read_body_item(Vrml1Node& node, Body& body);
   void read_misplaced_child(const Vrml1Node& node);
-  void read_declarations(Declared& declared);
+  void read_declarations(Body& body);
   void read_is_a(Vrml1Node& node);
   void pass_unknown_body();
   void report_unknown_node(const Name& type);
-  void read_field(const Vrml1Node& node, const Vrml1FieldInfo& info, const Declared& declared);
-  void read_unknown_field(const Vrml1Node& node, const Declared& declared);
-  void pass_to_item(const Vrml1Node& node, const Declared& declared);
+  void read_field(const Vrml1Node& node, const Vrml1FieldInfo& info, const Body& body);
+  void add_field(const Vrml1Node& node, const Vrml1Field& field, const Body& body);
+  void read_unknown_field(const Vrml1Node& node, const Body& body);
+  void pass_to_item(const Vrml1Node& node, const Body& body);
 
   // vrml1_values.cpp
   ValueSyntax read_value(const Vrml1Node& node, const Vrml1FieldInfo& field);
@@ -46,8 +51,8 @@ class Vrml1Reader {
   bool read_numbers();
   bool read_boolean();
   bool read_string();
-  bool read_words(const Vrml1FieldInfo& field);
-  void add_words(const Name& bare, const Vrml1FieldInfo& field);
+  bool read_words(const ValueSyntax& value, const Vrml1FieldInfo& field);
+  void add_words(const ValueSyntax& value, const Name& bare, const Vrml1FieldInfo& field);
   void check_count(ValueSyntax& value, const Vrml1Node& node, const Vrml1FieldInfo& field);
 
   void expected(std::string_view what);

@@ -4,6 +4,7 @@
 #include "document/vrml1_scene.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -125,14 +126,25 @@ glm::dmat4 Vrml1Scene::matrix_of(std::uint32_t node) const {
 
 // What is written
 
+/// Whether one more group may be opened, for a light and what stands behind it. Deeper inside, nodes shall still find room.
+bool Vrml1Scene::opens_group(const Span& light) {
+  if (depth_ < kMaxLightNesting) return true;
+  if (std::exchange(lights_are_mixed_, true)) return false;
+  build_.diagnostics.report(
+      DiagnosticId::nesting_limit, light,
+      fmt::format("this light needs a group more than {} deep; like those behind it, it lights some shapes before it, too",
+                  kMaxLightNesting));
+  return false;
+}
+
 /// A light shines on what stands behind it: with what does, it goes into a group where something stands in front of it.
 void Vrml1Scene::write_items(const Gathering& all, Items items) {
   std::size_t done = 0;
-  bool lights_may_stand = true;
+  bool lights_may_stand = true;  // and shine on the whole group
   const auto is_light = [&](const Item& item) { return tree_.nodes[item.child.node].info->kind == Vrml1Kind::light; };
   while (done < items.size()) {
     const Item& first = items[done];
-    if (is_light(first) && !lights_may_stand) {
+    if (is_light(first) && !lights_may_stand && opens_group(place_of(first.child.node))) {
       return group({}, {}, place_of(first.child.node), [&] { write_items(all, items.subspan(done)); });
     }
     if (is_light(first)) {

@@ -80,6 +80,7 @@ class Vrml1Scene {
   void move(std::uint32_t transform, Gathering& all) const;
   glm::dmat4 matrix_of(std::uint32_t node) const;
   void write_items(const Gathering& all, Items items);
+  bool opens_group(const Span& light);
   void write_run(const Gathering& all, Items run);
   void write_item(const Vrml1Child& child, const Vrml1State& state);
   /// A Group, or what puts its children where the placement says.
@@ -124,7 +125,7 @@ class Vrml1Scene {
 
   // vrml1_parts.cpp: the parts of solids
   bool has_part(std::uint32_t node, std::string_view field) const;
-  bool has_bound_parts(std::uint32_t node, const Vrml1State& state) const;
+  bool has_bound_parts(std::uint32_t node, const Vrml1State& state);
   void bound_parts(std::uint32_t node, const Vrml1State& state, const Name& def);
   void bound_part(std::uint32_t node, const Vrml1State& state, std::size_t part, std::size_t number);
   void cube_face(std::uint32_t node, std::size_t face);
@@ -142,15 +143,16 @@ class Vrml1Scene {
   void texture_transform(std::uint32_t index);
   std::uint32_t moved_texture(std::uint32_t before, std::uint32_t node);
   Vrml1Binding material_binding(const Vrml1State& state) const;
-  std::string_view color_field(std::uint32_t shape, const Vrml1State& state) const;
-  std::size_t color_count(std::uint32_t shape, const Vrml1State& state) const;
+  std::string_view color_field(std::uint32_t shape, const Vrml1State& state);
+  bool exceeds_zero(std::uint32_t material, std::string_view field);
+  std::size_t color_count(std::uint32_t shape, const Vrml1State& state);
   std::size_t count_of(std::uint32_t material, std::string_view field) const;
   std::size_t material_period(std::uint32_t material) const;
   void append_color(std::vector<double>& list, std::uint32_t material, std::string_view field, std::size_t number) const;
   void colors(std::uint32_t node, const Vrml1State& state, const Span& place);
   void color_list(std::string_view field, std::uint32_t material, std::size_t count);
   void point_colors(std::uint32_t node, const Vrml1State& state, const PointRange& points);
-  bool has_transparencies(std::uint32_t shape, const Vrml1State& state) const;
+  bool has_transparencies(std::uint32_t shape, const Vrml1State& state);
 
   // vrml1_fields.cpp
   const Vrml1Field* find(std::uint32_t node, std::string_view name) const;
@@ -179,11 +181,13 @@ class Vrml1Scene {
   const Vrml1Tree& tree_;
   DocumentBuilder& build_;
   NodeWriter write_;
-  std::map<std::pair<std::uint32_t, Vrml1State>, Name> written_;      // nodes that USE names, with what held for them
-  std::map<std::pair<std::uint32_t, std::string_view>, Name> lists_;  // properties, with the field whose list it is
+  std::map<std::pair<std::uint32_t, Vrml1State>, Name> written_;             // nodes that USE names, with what held for them
+  std::map<std::pair<std::uint32_t, std::string_view>, Name> lists_;         // properties, with the field whose list it is
+  std::map<std::pair<std::uint32_t, std::string_view>, bool> exceeds_zero_;  // lists of materials, by field
   std::vector<TextureTransform> texture_transforms_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> texture_numbers_;  // of them, by what they are made of
   std::uint32_t depth_ = 0;
+  bool lights_are_mixed_ = false;  // with shapes that they should not light; reported
   std::size_t work_ = 0;
 };
 

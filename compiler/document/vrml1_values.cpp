@@ -39,6 +39,7 @@ ValueSyntax Vrml1Reader::read_value(const Vrml1Node& node, const Vrml1FieldInfo&
   const Span bracket = scan_.next_span();
   const std::size_t mistakes = build_.mistake_count();
   const std::size_t number = build_.document.numbers.size(), string = build_.document.strings.size();
+  value.first = static_cast<std::uint32_t>(string);  // the words that it has so far begin there
   value.bracketed = scan_.take('[');
   read_items(value, field, value.bracketed);
   if (value.bracketed && !scan_.take(']')) not_closed(bracket, "`[`");
@@ -67,7 +68,7 @@ bool Vrml1Reader::read_items(ValueSyntax& value, const Vrml1FieldInfo& field, bo
 /// False, and reported, where no value stands; then nothing is taken.
 bool Vrml1Reader::read_item(ValueSyntax& value, const Vrml1FieldInfo& field) {
   if (field.type == Vrml1Type::SFBool) return read_boolean();
-  if (field.type == Vrml1Type::SFEnum || field.type == Vrml1Type::SFBitMask) return read_words(field);
+  if (field.type == Vrml1Type::SFEnum || field.type == Vrml1Type::SFBitMask) return read_words(value, field);
   return value.kind == ValueKind::strings ? read_string() : read_numbers();
 }
 
@@ -124,8 +125,8 @@ bool Vrml1Reader::read_string() {
   return true;
 }
 
-/// `BOLD` or `(BOLD | ITALIC)`, with or without blanks.
-bool Vrml1Reader::read_words(const Vrml1FieldInfo& field) {
+/// `BOLD` or `(BOLD | ITALIC)`, with or without blanks. A word that is there twice counts once.
+bool Vrml1Reader::read_words(const ValueSyntax& value, const Vrml1FieldInfo& field) {
   bool open = false, closed = false;
   do {
     const Name bare = scan_.take_bare();
@@ -135,12 +136,12 @@ bool Vrml1Reader::read_words(const Vrml1FieldInfo& field) {
     }
     open = open || bare.text.starts_with('(');
     closed = bare.text.ends_with(')');
-    add_words(bare, field);
+    add_words(value, bare, field);
   } while (open && !closed && !stopped());
   return true;
 }
 
-void Vrml1Reader::add_words(const Name& bare, const Vrml1FieldInfo& field) {
+void Vrml1Reader::add_words(const ValueSyntax& value, const Name& bare, const Vrml1FieldInfo& field) {
   constexpr std::string_view kBetween = "(|)";
   std::size_t begin = 0;
   while ((begin = bare.text.find_first_not_of(kBetween, begin)) != std::string_view::npos) {
@@ -149,7 +150,9 @@ void Vrml1Reader::add_words(const Name& bare, const Vrml1FieldInfo& field) {
     const Span span{bare.span.source, place(begin), place(end)};
     const std::string_view word = bare.text.substr(begin, end - begin);
     if (has_word(field.words, word)) {
-      build_.add_string(MappedText(build_.sources, span), span);
+      const auto known = build_.document.of(build_.strings_since(value.first));
+      const bool is_new = std::ranges::none_of(known, [&](const MappedText& one) { return one.text() == word; });
+      if (is_new) build_.add_string(MappedText(build_.sources, span), span);
     } else {
       build_.diagnostics.report(DiagnosticId::field_value, span,
                                 fmt::format("`{}` takes no `{}`, but one of {}", field.name, shown(word), field.words));

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "base/limits.h"
 #include "mesh/geometry.h"
 
 namespace plugc {
@@ -21,7 +22,6 @@ namespace {
 constexpr int kSlices = 30;        // around the y axis, as the common viewers have it
 constexpr int kSphereStacks = 20;  // from pole to pole
 constexpr int kFewestSlices = 3;
-constexpr std::uint64_t kMostVertices = 1'000'000;  // of a solid: two numbers in a file must not eat the memory
 
 // How fine a solid of revolution is: the reference engine's fields `slices` and `stacks`. What
 // makes no solid, as -1, the default, leaves it to the renderer.
@@ -108,16 +108,16 @@ void add_cap(Mesh& mesh, float radius, float y, float facing, int slices) {
   }
 }
 
-// nullopt, with a message, where there would be more vertices than a mesh may have.
+// nullopt, with a message, where there would be more than kMaxSolidVertices.
 std::optional<Fineness> read_fineness(const GeometrySource& source, int usual_stacks) {
   const int slices = source.graph.integer(source.node, "slices"), stacks = source.graph.integer(source.node, "stacks");
   const Fineness fineness{slices < kFewestSlices ? kSlices : slices, stacks < 1 ? usual_stacks : stacks};
   const std::uint64_t vertices = (std::uint64_t{1} + static_cast<std::uint64_t>(fineness.slices)) *
                                  (std::uint64_t{1} + static_cast<std::uint64_t>(fineness.stacks));
-  if (vertices <= kMostVertices) return fineness;
+  if (vertices <= kMaxSolidVertices) return fineness;
   source.report(
       DiagnosticId::geometry_limit, "slices",
-      fmt::format("this `{}` would have {} vertices; plugc takes at most {}", source.type(), vertices, kMostVertices));
+      fmt::format("this `{}` would have {} vertices; plugc takes at most {}", source.type(), vertices, kMaxSolidVertices));
   return std::nullopt;
 }
 

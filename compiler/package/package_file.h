@@ -12,10 +12,10 @@
 // - a binding feeds a sampler from a texture, a map or a picture that is there while it is drawn, and any other uniform from
 //   anything else; an array has at most kMaxUniformElements elements;
 // - a mesh has its bounds and one position a vertex, its streams lie within the stride and its indices within the vertices;
-// pixels fill their image;
+//   pixels fill their image;
 // - a shape has a variant for every combination of its switches;
 // - an event node has the slots of its kind; both ends of a route hold as many numbers; routes ascend, by where they
-// start and end; the variables and steps that a script names exist, whatever its steps do;
+//   start and end; the variables and steps that a script names exist, whatever its steps do;
 // - transforms come behind their parents; texels and vertices are aligned to 16 bytes, slot values to 8.
 // Numbers themselves (NaN, infinities, a singular scale) are not judged, but for the ranges of levels of detail.
 

@@ -49,7 +49,7 @@ bool has_slots_of_kind(const PackedEventNode& node) {
   return inputs == arity.inputs && outputs == arity.outputs;
 }
 
-/// All but the index are values of one size.
+/// All but the index hold what the chosen slot takes; of one that holds more, as a list of colours, its beginning counts.
 bool check_choices(SceneCheck& scene, const PackedEventNode& node, std::uint64_t size, const Place& place) {
   for (flatbuffers::uoffset_t i = 1; i < node.inputs()->size(); ++i) {
     const std::uint64_t held = scene.slot_size(node.inputs()->Get(i));

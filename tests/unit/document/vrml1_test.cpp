@@ -7,8 +7,10 @@
 namespace plugc {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr Vrml1Binding kPerVertex = {Vrml1Per::vertex, false}, kPerVertexIndexed = {Vrml1Per::vertex, true};
 constexpr Vrml1Binding kPerFace = {Vrml1Per::face, false}, kPerFaceIndexed = {Vrml1Per::face, true};
@@ -100,6 +102,33 @@ TEST(Vrml1, NodesAreNestedToALimit) {
   std::string body;
   for (int i = 0; i < 600; ++i) body += "Separator { ";
   EXPECT_THAT(Reading("#VRML V1.0 ascii\n" + body + "Cube { }").messages(), HasSubstr("nodes are nested more than 512 deep"));
+}
+
+/// A light opens a group for what stands behind it; so many groups would leave no room for the shapes.
+TEST(Vrml1, AnyNumberOfLightsBetweenShapesLosesNoShape) {
+  std::string body;
+  for (int i = 0; i < 600; ++i) body += "Cube { } PointLight { }\n";
+  const Reading reading("#VRML V1.0 ascii\n" + body + "Sphere { }");
+  EXPECT_EQ(
+      reading.messages(),
+      "258:10 10 this light needs a group more than 256 deep; like those behind it, it lights some shapes before it, too\n");
+  EXPECT_EQ(count_of(reading.dump(), "Box"), 600U);
+  EXPECT_EQ(count_of(reading.dump(), "PointLight"), 600U);
+  EXPECT_EQ(count_of(reading.dump(), "Sphere"), 1U);
+}
+
+TEST(Vrml1, OfAFieldThatIsGivenTwiceTheLastValueCounts) {
+  const Reading reading("#VRML V1.0 ascii\nSphere { radius 2 radius 3 radius [ ] }");
+  EXPECT_THAT(reading.messages(), HasSubstr("2:19 6 `radius` of `Sphere` is given twice; the last value counts\n"));
+  EXPECT_THAT(reading.dump(), AllOf(HasSubstr("3"), Not(HasSubstr("2 "))));
+}
+
+TEST(Vrml1, ALongNameIsCutAndNumberedAtItsBeginning) {
+  const std::string name(5000, 'n');
+  const Reading reading("#VRML V1.0 ascii\nDEF " + name + " Separator { Cube { } } Material { } USE " + name);
+  EXPECT_THAT(reading.messages(), HasSubstr("2:5 5000 a name is longer than 1024 bytes; only its beginning counts\n"));
+  EXPECT_THAT(reading.dump(), HasSubstr("DEF " + std::string(1023, 'n') + " Group"));
+  EXPECT_THAT(reading.dump(), HasSubstr("DEF " + std::string(64, 'n') + "_2 Group"));
 }
 
 TEST(Vrml1, AnOddHeaderIsTold) {

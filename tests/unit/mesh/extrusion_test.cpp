@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "base/box_texture.h"
@@ -114,10 +114,10 @@ std::string repeated(std::string_view piece, int count) {
 
 TEST(Extrusion, ManyPointsInOnePlaceStayQuick) {
   const std::string cross_section = "Extrusion { beginCap FALSE endCap FALSE crossSection [ 1 0, -1 0 ] spine [ ";
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   EXPECT_EQ(mesh_from(cross_section + repeated("0 0 0, ", 100'000) + "] }").indices.size(), 6U * 99'999);
   const Mesh bent = mesh_from(cross_section + repeated("0 0 0, ", 50'000) + repeated("0 2 0, ", 50'000) + "3 2 0 ] }");
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_LT(std::clock() - start, 10 * CLOCKS_PER_SEC);
   EXPECT_EQ(box_of(bent.positions).low.y, box_of(mesh_from(cross_section + "0 0 0, 0 2 0, 3 2 0 ] }").positions).low.y);
 }
 

@@ -21,8 +21,8 @@ class Limits : public testing::Test {
   void SetUp() override {
     std::string error;
     const RendererOptions options = test::quick_start();
-    context = gl::make_context({options.single_picture, options.cache_folder}, error);
-    ASSERT_TRUE(context != nullptr && context->make_current() && gl::load_functions(*context, functions, error)) << error;
+    context = gl::make_current_context({options.single_picture, options.cache_folder}, functions, error);
+    ASSERT_NE(context, nullptr) << error;
   }
 
   std::unique_ptr<gl::Context> context;
