@@ -28,7 +28,7 @@
 
 namespace plugc {
 
-inline constexpr std::uint32_t kPackageVersion = 3;
+inline constexpr std::uint32_t kPackageVersion = 4;
 inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 inline constexpr std::size_t kPackageHeaderBytes = 32;
 
