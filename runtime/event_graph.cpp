@@ -58,7 +58,7 @@ class Cascade {
     while (!pending_.empty()) {
       const auto woken = pending_.extract(pending_.begin());
       const PackedEventNode& node = *scene_.event_nodes()->Get(woken.key());
-      send_all(node, wake({node, slots_, woken.mapped(), time_}, graph_.memory[woken.key()]));
+      send_all(node, wake({node, slots_, woken.mapped(), time_}, graph_.memory[woken.key()], graph_.script_work_left));
     }
   }
 
@@ -150,9 +150,10 @@ EventGraph make_event_graph(const PackedScene& scene) {
   for (flatbuffers::uoffset_t i = 0; i < node_count(scene); ++i) {
     const PackedEventNode& node = *scene.event_nodes()->Get(i);
     if (node.kind() == PackedEventKind::time_sensor) graph.clocks.push_back(i);
+    if (node.kind() == PackedEventKind::script) graph.memory[i].script_fields = find_script_fields(node);
     for (flatbuffers::uoffset_t input = 0; input < node.inputs()->size(); ++input) {
       const std::uint32_t slot = node.inputs()->Get(input);
-      if (slot != kNoSlot && wakes(node, input)) graph.listeners.emplace_back(slot, i);
+      if (slot != kNoSlot && wakes(node, graph.memory[i], input)) graph.listeners.emplace_back(slot, i);
     }
   }
   std::ranges::sort(graph.listeners);
@@ -168,6 +169,7 @@ bool send_from_outside(EventGraph& graph, Slots& slots, std::uint32_t slot, cons
 
 void advance_events(EventGraph& graph, const PackedScene& scene, Slots& slots, double time) {
   const double end = std::isfinite(time) ? std::max(time, 0.0) : 0.0;
+  graph.script_work_left = kMaxFrameScriptWork;
   if (end < graph.time) start_anew(graph, scene, slots);
   if (graph.time < 0) run_frame(graph, scene, slots, 0);
   if (end > 0 && !std::exchange(graph.ticking, true)) run_frame(graph, scene, slots, 0);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/script_limits.h"
 #include "runtime/event_node.h"
 
 namespace plugc {
@@ -18,6 +19,7 @@ struct EventGraph {
   std::vector<std::uint32_t> clocks;  ///< The event nodes that are time sensors, in order.
   /// Slots that wake a node, with the node, in order.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> listeners;
+  std::uint64_t script_work_left = kMaxFrameScriptWork;       ///< Until events are advanced again.
   std::map<std::uint32_t, std::vector<double>> from_outside;  ///< What a host has written to slots.
   std::vector<std::uint32_t> unheard;                         ///< Those of them whose events have not been sent yet.
 };

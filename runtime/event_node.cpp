@@ -83,26 +83,29 @@ Sent wake_filter(bool value) {
   return {{value ? 0U : 1U, {value ? 1.0 : 0.0}}, {2, {value ? 0.0 : 1.0}}};
 }
 
-/// X3D 4.1, 7.2.2: what is bound by TRUE comes to the top of the stack, FALSE takes a node out of it, and whenever another one
-/// is on top, both say so.
-void change_stack(std::vector<std::uint32_t>& stack, std::uint32_t node, bool bind) {
-  if (bind && !stack.empty() && stack.back() == node) return;
-  std::erase(stack, node);
-  if (bind) stack.push_back(node);
+/// X3D 4.1, 7.2.2: what is bound by TRUE comes to the top of the stack, FALSE takes a node out of it. Events of one time come
+/// in the order of the nodes; all at once, since each alone would move all that lie above.
+void change_stack(const EventNodeInputs& inputs, std::vector<std::uint32_t>& stack) {
+  std::vector<std::uint32_t> arrived(inputs.arrived.begin(), inputs.arrived.end());
+  std::ranges::sort(arrived);
+  const auto has_arrived = [&](std::uint32_t node) { return std::ranges::binary_search(arrived, inputs.slot(node)); };
+  std::erase_if(stack, has_arrived);
+  for (std::uint32_t node = 0; node < inputs.node.inputs()->size(); ++node) {
+    if (has_arrived(node) && inputs.boolean(node, false)) stack.push_back(node);
+  }
 }
 
 std::int64_t top_of(const std::vector<std::uint32_t>& stack) {
   return stack.empty() ? -1 : static_cast<std::int64_t>(stack.back());
 }
 
+/// Whenever another node is on top, both say so.
 Sent wake_bind_stack(const EventNodeInputs& inputs, EventMemory& memory) {
   const std::int64_t before = top_of(memory.stack);
   if (!std::exchange(memory.has_begun, true) && inputs.node.subject() >= 0)
     memory.stack.push_back(static_cast<std::uint32_t>(inputs.node.subject()));
   const std::uint32_t count = inputs.node.inputs()->size();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (inputs.has_arrived(i)) change_stack(memory.stack, i, inputs.boolean(i, false));
-  }
+  change_stack(inputs, memory.stack);
   const std::int64_t now = top_of(memory.stack);
   if (now == before) return {};
   Sent sent{{0, {static_cast<double>(now)}}};
@@ -128,9 +131,9 @@ Sent wake_choose(const EventNodeInputs& inputs) {
 
 }  // namespace
 
-bool wakes(const PackedEventNode& node, std::size_t input) {
+bool wakes(const PackedEventNode& node, const EventMemory& memory, std::uint32_t input) {
   switch (node.kind()) {
-    case PackedEventKind::script: return script_listens(node, input);
+    case PackedEventKind::script: return script_listens(memory.script_fields, input);
     case PackedEventKind::time_sensor:
     case PackedEventKind::bind_stack:
     case PackedEventKind::choose: return true;
@@ -141,8 +144,8 @@ bool wakes(const PackedEventNode& node, std::size_t input) {
   }
 }
 
-std::vector<SentEvent> wake(const EventNodeInputs& inputs, EventMemory& memory) {
-  if (inputs.node.kind() == PackedEventKind::script) return wake_script(inputs, memory.script);
+std::vector<SentEvent> wake(const EventNodeInputs& inputs, EventMemory& memory, std::uint64_t& script_work_left) {
+  if (inputs.node.kind() == PackedEventKind::script) return wake_script(inputs, memory, script_work_left);
   const bool value =
       inputs.node.kind() != PackedEventKind::time_sensor && inputs.node.inputs()->size() != 0 && inputs.boolean(0, false);
   switch (inputs.node.kind()) {

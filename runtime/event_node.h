@@ -8,6 +8,7 @@
 
 #include "package/package_file.h"
 #include "runtime/events.h"
+#include "runtime/script_fields.h"
 #include "runtime/script_machine.h"
 #include "runtime/time_sensor.h"
 
@@ -21,6 +22,7 @@ struct EventMemory {
   bool has_looked = false;           ///< Of a camera and a proximity sensor: it has sent where the viewer is.
   std::vector<std::uint32_t> stack;  ///< Of a bind stack: the nodes on it, the bound one last.
   bool has_begun = false;            ///< Of a bind stack: its first node has been bound.
+  ScriptFields script_fields;        ///< Of a Script; they stay.
   ScriptMemory script;
 };
 
@@ -45,10 +47,11 @@ struct EventNodeInputs {
 };
 
 /// Whether an event at that input makes the node send; the others are what it then works with.
-bool wakes(const PackedEventNode& node, std::size_t input);
+bool wakes(const PackedEventNode& node, const EventMemory& memory, std::uint32_t input);
 
-/// What a node sends whom time or an event wakes; nothing for those that look at the camera.
-std::vector<SentEvent> wake(const EventNodeInputs& inputs, EventMemory& memory);
+/// What a node sends when time or an event wakes it; nothing for those that look at the camera. `script_work_left`: of
+/// kMaxFrameScriptWork.
+std::vector<SentEvent> wake(const EventNodeInputs& inputs, EventMemory& memory, std::uint64_t& script_work_left);
 
 /// The fields of a time sensor.
 TimeSensorFields time_sensor_fields(const EventNodeInputs& inputs);

@@ -1,5 +1,4 @@
-// A stack of values. What is counted is numbers that are moved, so that long lists cost what they cost: that bounds the time
-// and the memory at once.
+// A stack of values. What is counted is numbers that are moved, and jumps: that bounds the time and the memory at once.
 
 #include "runtime/script_machine.h"
 
@@ -8,18 +7,28 @@
 
 #include <fmt/format.h>
 
+#include "base/script_limits.h"
+
 namespace plugc {
 namespace {
 
-constexpr std::size_t kMaxWork = 5'000'000;  ///< For one function: a fraction of a second.
-constexpr std::size_t kMaxStack = 100'000;   ///< More than the longest script has words, so only what loops gets there.
+void stop_script(ScriptMemory& memory, std::uint32_t line, std::string_view why) {
+  memory.stopped = true;
+  if (memory.message.empty()) memory.message = fmt::format("line {}: the script is stopped: {}", line, why);
+}
+
+/// False when less than that is left, which stops the script.
+bool spend(AwakeScript& awake, std::uint64_t work, std::uint32_t line) {
+  if (work > awake.work_left)
+    stop_script(awake.memory, line, "the scripts of the scene do more between two frames than may be done");
+  else
+    awake.work_left -= work;
+  return !awake.memory.stopped;
+}
 
 class ScriptMachine {
  public:
-  ScriptMachine(const PackedScript& script, ScriptMemory& memory, std::set<std::uint32_t>& stored)
-      : script_(script), memory_(memory), stored_(stored) {
-    for (const ScriptValue& variable : memory.variables) held_ += variable.size();
-  }
+  explicit ScriptMachine(AwakeScript& awake) : awake_(awake), script_(awake.script), memory_(awake.memory) {}
 
   void run(std::uint32_t begin, std::uint32_t end) {
     for (at_ = begin; at_ < end && !memory_.stopped;) {
@@ -58,18 +67,18 @@ class ScriptMachine {
   }
 
   void push(ScriptValue value) {
-    if (stack_.size() == kMaxStack) return stop("it goes on without end");
+    if (stack_.size() == kMaxScriptStack) return stop("it goes on without end");
     if (work(value.size())) stack_.push_back(std::move(value));
   }
 
   void store(std::uint32_t index) {
     ScriptValue& variable = memory_.variables[index];
-    const std::size_t held = held_ - variable.size() + stack_.back().size();
+    const std::size_t held = memory_.held - variable.size() + stack_.back().size();
     if (held > kMaxScriptNumbers) return stop(fmt::format("its variables would hold more than {} numbers", kMaxScriptNumbers));
     if (!work(stack_.back().size())) return;
-    held_ = held;
+    memory_.held = held;
     variable = stack_.back();
-    stored_.insert(index);
+    awake_.stored.insert(index);
   }
 
   void jump(std::uint32_t to) {
@@ -78,40 +87,43 @@ class ScriptMachine {
 
   bool work(std::size_t numbers) {
     work_ += numbers + 1;
-    if (work_ > kMaxWork) stop("it goes on without end");
-    return work_ <= kMaxWork;
+    if (work_ > kMaxScriptWork) stop("it goes on without end");
+    return !memory_.stopped && spend(awake_, numbers + 1, line());
   }
 
-  void stop(std::string_view why) {
-    const std::uint32_t line = script_.steps()->Get(at_ - 1)->line();
-    memory_.stopped = true;
-    memory_.message = fmt::format("line {}: the script is stopped: {}", line, why);
-  }
+  void stop(std::string_view why) { stop_script(memory_, line(), why); }
+  std::uint32_t line() const { return script_.steps()->Get(at_ - 1)->line(); }
 
+  AwakeScript& awake_;
   const PackedScript& script_;
   ScriptMemory& memory_;
-  std::set<std::uint32_t>& stored_;
   std::vector<ScriptValue> stack_;
   std::uint32_t at_ = 0;
-  std::size_t work_ = 0, held_ = 0;
+  std::uint64_t work_ = 0;
 };
 
 }  // namespace
 
 void start_script(const PackedScript& script, ScriptMemory& memory) {
   memory = {};
+  memory.started = true;
   for (const PackedScriptVariable* variable : *script.variables()) {
     const auto first = script.values()->begin() + variable->first();
     memory.variables.emplace_back(first, first + variable->count());
+    memory.held += variable->count();
   }
 }
 
-void run_script_function(const PackedScript& script, const PackedScriptFunction& function, std::span<const double> value,
-                         double time, ScriptMemory& memory, std::set<std::uint32_t>& stored) {
-  if (memory.stopped) return;
-  if (function.value() != kNoSlot) memory.variables[function.value()].assign(value.begin(), value.end());
-  if (function.time() != kNoSlot) memory.variables[function.time()] = {time};
-  ScriptMachine(script, memory, stored).run(function.begin(), function.end());
+void give_script(AwakeScript& awake, std::uint32_t variable, std::span<const double> value) {
+  if (awake.memory.stopped || !spend(awake, value.size() + 1, awake.script.origin()->line())) return;
+  awake.memory.held += value.size() - awake.memory.variables[variable].size();
+  awake.memory.variables[variable].assign(value.begin(), value.end());
+}
+
+void run_script_function(AwakeScript& awake, const PackedScriptFunction& function, std::span<const double> value, double time) {
+  if (function.value() != kNoSlot) give_script(awake, function.value(), value);
+  if (function.time() != kNoSlot) give_script(awake, function.time(), {&time, 1});
+  if (!awake.memory.stopped) ScriptMachine(awake).run(function.begin(), function.end());
 }
 
 }  // namespace plugc

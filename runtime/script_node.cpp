@@ -3,9 +3,6 @@
 
 #include "runtime/script_node.h"
 
-#include <algorithm>
-#include <set>
-
 #include <fmt/format.h>
 
 namespace plugc {
@@ -13,13 +10,18 @@ namespace {
 
 class WokenScript {
  public:
-  WokenScript(const EventNodeInputs& inputs, ScriptMemory& memory)
-      : inputs_(inputs), script_(*inputs.node.script()), memory_(memory) {}
+  WokenScript(const EventNodeInputs& inputs, EventMemory& memory, std::uint64_t& work_left)
+      : inputs_(inputs),
+        script_(*inputs.node.script()),
+        fields_(memory.script_fields),
+        memory_(memory.script),
+        awake_{script_, memory_, work_left} {}
 
   std::vector<SentEvent> run() {
-    if (memory_.variables.empty()) {
+    if (memory_.stopped) return {};
+    if (!memory_.started) {
       start_script(script_, memory_);
-      answer(-1, {});
+      answer(ScriptFields::kNone, {});
     }
     for (const std::uint32_t slot : inputs_.arrived) receive(slot);
     return sent();
@@ -28,27 +30,21 @@ class WokenScript {
  private:
   /// A field that holds its value takes it before the function sees it.
   void receive(std::uint32_t slot) {
-    const auto& fields = *inputs_.node.inputs();
-    for (std::size_t field = 0; field < fields.size(); ++field) {
-      if (inputs_.slot(field) != slot) continue;
-      const std::span<const double> value = inputs_.values(field);
-      for (flatbuffers::uoffset_t i = 0; i < script_.variables()->size(); ++i) {
-        if (script_.variables()->Get(i)->field() == static_cast<std::int32_t>(field))
-          memory_.variables[i].assign(value.begin(), value.end());
-      }
-      answer(static_cast<std::int32_t>(field), value);
+    for (const std::uint32_t field : ScriptFields::beside(fields_.fields, slot)) {
+      const std::span<const double> value = inputs_.slots.values(slot);
+      for (const std::uint32_t variable : ScriptFields::beside(fields_.variables, field)) give_script(awake_, variable, value);
+      answer(field, value);
     }
   }
 
-  void answer(std::int32_t field, std::span<const double> value) {
-    for (const PackedScriptFunction* function : *script_.functions()) {
-      if (function->field() == field) run_script_function(script_, *function, value, inputs_.time, memory_, stored_);
-    }
+  void answer(std::uint32_t field, std::span<const double> value) {
+    for (const std::uint32_t function : ScriptFields::beside(fields_.functions, field))
+      run_script_function(awake_, *script_.functions()->Get(function), value, inputs_.time);
   }
 
   std::vector<SentEvent> sent() {
     std::vector<SentEvent> events;
-    for (const std::uint32_t variable : stored_) {
+    for (const std::uint32_t variable : awake_.stored) {
       const std::int32_t field = script_.variables()->Get(variable)->field();
       if (field < 0) continue;
       check_length(field, memory_.variables[variable].size());
@@ -68,20 +64,15 @@ class WokenScript {
 
   const EventNodeInputs& inputs_;
   const PackedScript& script_;
+  const ScriptFields& fields_;
   ScriptMemory& memory_;
-  std::set<std::uint32_t> stored_;
+  AwakeScript awake_;
 };
 
 }  // namespace
 
-bool script_listens(const PackedEventNode& node, std::size_t field) {
-  const auto is_field = [&](const auto* part) { return part->field() == static_cast<std::int32_t>(field); };
-  return std::ranges::any_of(*node.script()->functions(), is_field) ||
-         std::ranges::any_of(*node.script()->variables(), is_field);
-}
-
-std::vector<SentEvent> wake_script(const EventNodeInputs& inputs, ScriptMemory& memory) {
-  return WokenScript(inputs, memory).run();
+std::vector<SentEvent> wake_script(const EventNodeInputs& inputs, EventMemory& memory, std::uint64_t& work_left) {
+  return WokenScript(inputs, memory, work_left).run();
 }
 
 void report_scripts(const Package& package, const PackedScene& scene, const std::vector<EventMemory>& memory,

@@ -9,11 +9,9 @@
 
 namespace plugc {
 
-/// Whether the Script does anything when an event reaches that field.
-bool script_listens(const PackedEventNode& node, std::size_t field);
-
 /// What a Script sends that time or events wake: when it is woken first, `initialize` runs, then a function for each event.
-std::vector<SentEvent> wake_script(const EventNodeInputs& inputs, ScriptMemory& memory);
+/// `work_left`: of kMaxFrameScriptWork.
+std::vector<SentEvent> wake_script(const EventNodeInputs& inputs, EventMemory& memory, std::uint64_t& work_left);
 
 /// Says of each Script of the scene what it has to be told of.
 void report_scripts(const Package& package, const PackedScene& scene, const std::vector<EventMemory>& memory,

@@ -13,9 +13,6 @@ namespace plugc {
 
 using ScriptValue = std::vector<double>;
 
-/// Numbers that the variables of one script may hold together.
-inline constexpr std::size_t kMaxScriptNumbers = 1'000'000;
-
 /// Why a step has no result, in words; "" where it has one.
 struct ScriptResult {
   ScriptValue value;

@@ -44,8 +44,10 @@ class Walk {
       if (const auto found = links.find(field); found != links.end()) {
         for (const EventField& next : found->second) reach(next);
       }
+      if (passed_.contains(field.first)) continue;
       const EventNodeInfo* info = find_event_node(graph_, scripts_, field.first);
       if (info == nullptr || find_field_index(forward ? info->inputs : info->outputs, field.second) < 0) continue;
+      passed_.insert(field.first);
       for (const std::string_view name : forward ? info->outputs : info->inputs) {
         if (!name.empty()) reach({field.first, name});
       }
@@ -57,6 +59,7 @@ class Walk {
   const NodeGraph& graph_;
   const Scripts& scripts_;
   std::set<EventField> reached_;
+  std::set<NodeId> passed_;  // all that it sends, or listens to, is reached
   std::vector<EventField> work_;
 };
 

@@ -30,7 +30,7 @@ std::vector<ShaderSource> read_parts(SceneContext& context, NodeId node) {
     if (!context.graph.is(part, "EffectPart") && !context.graph.is(part, "ShaderPart")) continue;
     const auto stage = part_stage(context, part);
     if (!stage) continue;
-    auto code = read_shader_code(context.graph, part, context.sources, context.files, context.diagnostics);
+    auto code = read_shader_code(context.graph, part, context.code_files, context.diagnostics);
     if (code) parts.push_back({*stage, std::move(code->text), code->span, part});
   }
   return parts;

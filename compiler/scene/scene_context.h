@@ -39,7 +39,8 @@ struct SceneContext {
         options(scene_options),
         diagnostics(sink),
         dynamic(find_dynamic_fields(node_graph, scene_options.dynamic, scene.known_dynamic, sink)),
-        scripts(read_scripts(node_graph, source_set, file_access, sink)),
+        code_files{source_set, file_access, sink},
+        scripts(read_scripts(node_graph, code_files, sink)),
         live(find_live_fields(node_graph, scripts, dynamic)),
         slots(node_graph, scene.slots, dynamic) {}
 
@@ -50,6 +51,7 @@ struct SceneContext {
   Diagnostics& diagnostics;
   Scene scene;
   std::vector<DynamicField> dynamic;
+  CodeFiles code_files;
   Scripts scripts;
   std::set<EventField> live;  ///< Where events can happen while nobody touches the scene.
   SlotTable slots;

@@ -154,7 +154,7 @@ class EventReader {
 
   SceneContext& context_;
   const NodeGraph& graph_;
-  const Scripts& scripts_;
+  Scripts& scripts_;
   const EventFlow& flow_;
   std::set<EventField> sending_, receiving_;
   std::set<NodeId> nodes_;
@@ -220,7 +220,8 @@ void EventReader::add_node(NodeId node, const std::map<NodeId, int>& subjects) {
                                                             : context_.slots.find(node, name).value_or(kSceneNoSlot));
   for (const std::string_view name : info.inputs) added.inputs.push_back(input_slot({node, name}));
   if (const auto subject = subjects.find(node); subject != subjects.end()) added.subject = subject->second;
-  if (const auto script = scripts_.find(node); script != scripts_.end()) added.script = script->second.program;
+  if (const auto script = scripts_.find(node); script != scripts_.end())
+    added.script = std::move(script->second.program);  // nobody asks for its code again
   context_.scene.event_nodes.push_back(std::move(added));
 }
 

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 
-#include "base/clean_text.h"
+#include <fmt/format.h>
+
+#include "base/script_limits.h"
 #include "scene/event_names.h"
 
 namespace plugc {
@@ -30,37 +33,20 @@ std::optional<MappedText> code_in_url(const MappedText& url) {
   return std::nullopt;
 }
 
-/// Where code is looked for.
-struct ScriptFiles {
-  const NodeGraph& graph;
-  SourceSet& sources;
-  FileAccess& files;
-  Diagnostics& diagnostics;
-};
-
-std::optional<MappedText> code_in_file(const ScriptFiles& from, NodeId node, const MappedText& url, Diagnostics& failures) {
-  const auto ends = [&](std::string_view ending) { return url.text().ends_with(ending); };
-  if (std::ranges::none_of(kEndings, ends)) return std::nullopt;
-  const std::filesystem::path& base = from.graph.base_path(node);
-  auto bytes = read_url(from.files, url.text(), base, url.locate(0, url.size()), failures);
-  if (!bytes) return std::nullopt;
-  const auto path = resolve_url(url.text(), base);
-  const std::string name = path ? path->string() : std::string(url.text());
-  const SourceId source = add_clean_text(from.sources, name, std::move(*bytes), from.diagnostics);
-  return MappedText(from.sources, {source, 0, static_cast<std::uint32_t>(from.sources.text(source).size())});
+bool names_code_file(const MappedText& url) {
+  return std::ranges::any_of(kEndings, [&](std::string_view ending) { return url.text().ends_with(ending); });
 }
 
 /// The first code that can be read. Files that cannot are reported where no other url serves.
-std::optional<MappedText> find_code(const ScriptFiles& from, NodeId node) {
-  Diagnostics failures(from.sources);
-  for (const MappedText& url : from.graph.field(node, "url").strings) {
+std::optional<MappedText> find_code(const NodeGraph& graph, NodeId node, CodeFiles& files, Diagnostics& diagnostics) {
+  Diagnostics failures(files.sources);
+  for (const MappedText& url : graph.field(node, "url").strings) {
     if (auto code = code_in_url(url)) return code;
-    if (auto code = code_in_file(from, node, url, failures)) return code;
+    if (!names_code_file(url)) continue;
+    if (const auto whole = read_code_file(files, graph, node, url, failures)) return MappedText(files.sources, *whole);
   }
-  MappedText cdata;  // XML may divide a text, at a `]]>` for one
-  for (const MappedText& piece : from.graph[node].cdata()) cdata.append(piece);
-  if (auto code = code_in_url(cdata)) return code;
-  for (const Diagnostic& failure : failures.all()) from.diagnostics.report(failure.id, failure.span, failure.message);
+  if (auto code = code_in_url(joined_cdata(graph, node))) return code;
+  for (const Diagnostic& failure : failures.all()) diagnostics.report(failure.id, failure.span, failure.message);
   return std::nullopt;
 }
 
@@ -107,40 +93,64 @@ std::vector<ScriptField> script_fields(const GraphNode& node) {
   return fields;
 }
 
-bool answers(const ScriptProgram& program, int field) {
-  return std::ranges::any_of(program.functions, [&](const ScriptFunction& one) { return one.field == field; });
-}
-
-bool stores(const ScriptFunction& function, int field) {
-  return std::ranges::find(function.sends, field) != function.sends.end();
-}
-
 void add_script(Scripts& scripts, const GraphNode& node, NodeId id, ScriptProgram program) {
   SceneScript& script = scripts[id];
   script.program = std::move(program);
+  std::set<int> answered, stored;
+  for (const ScriptFunction& function : script.program.functions) {
+    answered.insert(function.field);
+    stored.insert(function.sends.begin(), function.sends.end());
+  }
   const std::span<const InterfaceField> fields = node.interface();
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const auto field = static_cast<int>(i);
     const bool holds = fields[i].access == AccessType::input_output;
-    const bool sent =
-        allows(fields[i].access, EventUse::send) &&
-        std::ranges::any_of(script.program.functions, [&](const ScriptFunction& one) { return stores(one, field); });
-    script.inputs.push_back(holds || answers(script.program, field) ? fields[i].name : "");
-    script.outputs.push_back(sent ? fields[i].name : "");
+    const bool sends = allows(fields[i].access, EventUse::send) && stored.contains(field);
+    script.inputs.push_back(holds || answered.contains(field) ? fields[i].name : "");
+    script.outputs.push_back(sends ? fields[i].name : "");
   }
   script.info = {node.info->name, EventKind::script, script.inputs, script.outputs};
 }
 
+bool has_too_many_fields(const GraphNode& script, Diagnostics& diagnostics) {
+  const bool too_many = script.interface().size() > kMaxScriptFields;
+  if (too_many)
+    diagnostics.report(DiagnosticId::scene_limit, script.type_span,
+                       fmt::format("this Script has more than {} fields; it does not run", kMaxScriptFields));
+  return too_many;
+}
+
+/// What each instance of a Script takes anew.
+std::size_t size_of(const MappedText& code, std::span<const ScriptField> fields) {
+  std::size_t size = code.size();
+  for (const ScriptField& field : fields) size += field.value.size();
+  return size;
+}
+
+void report_rest(const GraphNode& script, Diagnostics& diagnostics) {
+  diagnostics.report(DiagnosticId::scene_limit, script.type_span,
+                     fmt::format("all Scripts together have more than {} characters of code and numbers in their fields; "
+                                 "those from this one on do not run",
+                                 kMaxSceneScriptSize));
+}
+
 }  // namespace
 
-Scripts read_scripts(const NodeGraph& graph, SourceSet& sources, FileAccess& files, Diagnostics& diagnostics) {
+Scripts read_scripts(const NodeGraph& graph, CodeFiles& files, Diagnostics& diagnostics) {
   Scripts scripts;
+  std::size_t size = 0;
   for (std::uint32_t i = 0; i < graph.size(); ++i) {
     const NodeId id{i};
     if (!graph.is(id, "X3DScriptNode")) continue;
-    const auto code = find_code({graph, sources, files, diagnostics}, id);
-    if (!code) continue;
-    ScriptProgram program = compile_script(*code, script_fields(graph[id]), diagnostics);
+    const auto code = find_code(graph, id, files, diagnostics);
+    if (!code || has_too_many_fields(graph[id], diagnostics)) continue;
+    const std::vector<ScriptField> fields = script_fields(graph[id]);
+    size += size_of(*code, fields);
+    if (size > kMaxSceneScriptSize) {
+      report_rest(graph[id], diagnostics);
+      break;
+    }
+    ScriptProgram program = compile_script(*code, fields, diagnostics);
     if (!program.functions.empty()) add_script(scripts, graph[id], id, std::move(program));
   }
   return scripts;
@@ -150,8 +160,10 @@ bool sends_at_start(const Scripts& scripts, NodeId node, std::string_view field)
   const auto found = scripts.find(node);
   if (found == scripts.end()) return false;
   const int index = find_field_index(found->second.outputs, field);
-  return index >= 0 && std::ranges::any_of(found->second.program.functions,
-                                           [&](const ScriptFunction& one) { return one.field < 0 && stores(one, index); });
+  const auto stores = [&](const ScriptFunction& one) {
+    return one.field < 0 && std::ranges::find(one.sends, index) != one.sends.end();
+  };
+  return index >= 0 && std::ranges::any_of(found->second.program.functions, stores);
 }
 
 const EventNodeInfo* find_event_node(const NodeGraph& graph, const Scripts& scripts, NodeId node) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/code_file.h"
 #include "scene/event_kinds.h"
 
 namespace plugc {
@@ -17,8 +18,9 @@ struct SceneScript {
 };
 using Scripts = std::map<NodeId, SceneScript>;
 
-/// Compiles the code of all Scripts: the first url that is in CastleScript. Mistakes are reported.
-Scripts read_scripts(const NodeGraph& graph, SourceSet& sources, FileAccess& files, Diagnostics& diagnostics);
+/// Compiles the code of all Scripts: the first url that is in CastleScript. Mistakes are reported; so are what has too many
+/// fields and what lies beyond kMaxSceneScriptSize, which do not run.
+Scripts read_scripts(const NodeGraph& graph, CodeFiles& files, Diagnostics& diagnostics);
 
 /// Whether code stores to the field when the scene is loaded.
 bool sends_at_start(const Scripts& scripts, NodeId node, std::string_view field);

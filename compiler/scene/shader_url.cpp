@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/clean_text.h"
 #include "base/data_url.h"
 
 namespace plugc {
@@ -39,10 +38,9 @@ std::optional<MappedText> data_url_code(const MappedText& url, const Span& span)
 
 }  // namespace
 
-std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, SourceSet& sources, FileAccess& files,
-                                           Diagnostics& diagnostics) {
+std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, CodeFiles& files, Diagnostics& diagnostics) {
   const FieldValue& urls = graph.field(part, "url");
-  Diagnostics failures(sources);
+  Diagnostics failures(files.sources);
   for (const MappedText& url : urls.strings) {
     const Span span = url.locate(0, url.size());
     if (is_data_url(url.text())) {
@@ -51,19 +49,13 @@ std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, 
                       "this `data:` url holds no readable code; write `data:text/plain,` and the code");
       continue;
     }
-    if (auto bytes = read_url(files, url.text(), graph.base_path(part), span, failures)) {
-      const auto path = resolve_url(url.text(), graph.base_path(part));
-      const SourceId source =
-          add_clean_text(sources, path ? path->string() : std::string(url.text()), std::move(*bytes), diagnostics);
-      const Span whole{source, 0, static_cast<std::uint32_t>(sources.text(source).size())};
-      return ShaderCode{MappedText(sources, whole), whole};
-    }
+    if (const auto whole = read_code_file(files, graph, part, url, failures))
+      return ShaderCode{MappedText(files.sources, *whole), *whole};
   }
-  const std::span<const MappedText> cdata = graph[part].cdata();
-  if (!cdata.empty()) {
-    MappedText code;  // XML may divide a text, at a `]]>` for one
-    for (const MappedText& piece : cdata) code.append(piece);
-    return ShaderCode{code, code.locate(0, code.size())};
+  if (!graph[part].cdata().empty()) {
+    MappedText code = joined_cdata(graph, part);
+    const Span span = code.locate(0, code.size());
+    return ShaderCode{std::move(code), span};
   }
   for (const Diagnostic& failure : failures.all()) diagnostics.report(failure.id, failure.span, failure.message);
   if (failures.all().empty()) {

@@ -3,8 +3,7 @@
 
 #include <optional>
 
-#include "base/file_access.h"
-#include "scene/node_graph.h"
+#include "scene/code_file.h"
 
 namespace plugc {
 
@@ -15,7 +14,6 @@ struct ShaderCode {
 
 /// The code of an EffectPart or ShaderPart: the first url that can be read (`data:text/plain,...` plain, percent-encoded or
 /// base64; `data:,`; a local file), else CDATA. Reports and returns nullopt when there is none.
-std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, SourceSet& sources, FileAccess& files,
-                                           Diagnostics& diagnostics);
+std::optional<ShaderCode> read_shader_code(const NodeGraph& graph, NodeId part, CodeFiles& files, Diagnostics& diagnostics);
 
 }  // namespace plugc

@@ -1,6 +1,7 @@
 // Functions, and the names in them. Behind the first mistake in a function the next one begins.
 
 #include <algorithm>
+#include <iterator>
 
 #include "script/script_compiler.h"
 
@@ -8,12 +9,7 @@ namespace plugc {
 
 ScriptProgram ScriptCompiler::run() {
   program_.span = code_.locate(0, code_.size());
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
-    const ScriptField& field = fields_[i];
-    if (!field.is_variable) continue;
-    const auto index = steps_.add_variable(field.value, static_cast<int>(i));
-    variables_.push_back({lower_case(field.name), field.type, index, static_cast<int>(i)});
-  }
+  add_fields();
   if (tokens_[at_].kind != ScriptTokenKind::function)
     fail(tokens_[at_], "a script is a list of functions: `function name(value, timestamp)` and what it does");
   while (at_ + 1 < tokens_.size()) {
@@ -22,12 +18,25 @@ ScriptProgram ScriptCompiler::run() {
   return std::move(program_);
 }
 
+/// Of two names that differ in case alone, the first answers events, and the last is the variable.
+void ScriptCompiler::add_fields() {
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const ScriptField& field = fields_[i];
+    const std::string name = lower_case(field.name);
+    const auto place = static_cast<int>(i);
+    if (field.receives) heard_.emplace(name, place);
+    if (!field.is_variable) continue;
+    variable_of_field_[name] = variables_.size();
+    variables_.push_back({name, field.type, steps_.add_variable(field.value, place), place});
+  }
+  field_variables_ = variables_.size();
+}
+
 /// `function name(value, timestamp) sequence`; the first word is read.
 void ScriptCompiler::function() {
   failed_ = false;
   depth_ = 0;
   stored_.clear();
-  const std::size_t fields = variables_.size();
   ScriptFunction made;
   made.begin = steps_.here();
   const ScriptToken name = take_name("the function's name");
@@ -43,16 +52,15 @@ void ScriptCompiler::function() {
     steps_.take_back(made.begin);
   else
     program_.functions.push_back(std::move(made));
-  variables_.resize(fields);
+  variables_.resize(field_variables_);
 }
 
 void ScriptCompiler::begin_function(const ScriptToken& name, ScriptFunction& made) {
   const std::vector<std::string> names = parameters();
   if (failed_) return;
   const bool is_moment = name.text == "initialize" || name.text == "shutdown";
-  const auto field =
-      std::ranges::find_if(fields_, [&](const ScriptField& one) { return one.receives && lower_case(one.name) == name.text; });
-  if (!is_moment && field != fields_.end()) made.field = static_cast<int>(field - fields_.begin());
+  const auto field = heard_.find(name.text);
+  if (!is_moment && field != heard_.end()) made.field = field->second;
   if (!is_moment && made.field < 0)
     return fail(
         name,
@@ -117,9 +125,11 @@ std::string ScriptCompiler::written(const ScriptToken& token) const {
 }
 
 const Variable* ScriptCompiler::find_variable(std::string_view lower) const {
-  const auto found =
-      std::find_if(variables_.rbegin(), variables_.rend(), [&](const Variable& one) { return one.name == lower; });
-  return found == variables_.rend() ? nullptr : &*found;
+  for (std::size_t i = variables_.size(); i > field_variables_; --i) {
+    if (variables_[i - 1].name == lower) return &variables_[i - 1];
+  }
+  const auto field = variable_of_field_.find(std::string(lower));
+  return field == variable_of_field_.end() ? nullptr : &variables_[field->second];
 }
 
 /// Null when there is none, which is reported.
@@ -131,14 +141,13 @@ const Variable* ScriptCompiler::expect_variable(const ScriptToken& name) {
 }
 
 void ScriptCompiler::fail_unknown(const ScriptToken& name) {
-  const bool only_arrives = std::ranges::any_of(
-      fields_, [&](const ScriptField& one) { return !one.is_variable && lower_case(one.name) == name.text; });
   std::vector<std::string_view> names;
-  for (const Variable& one : variables_) names.push_back(one.name);
-  fail(name, only_arrives ? fmt::format("`{}` is an event: its value is the first parameter of the function that answers it",
-                                        written(name))
-                          : fmt::format("no field of the `Script`, and no parameter, is named `{}`{}", written(name),
-                                        did_you_mean(name.text, names)));
+  if (--proposals_left_ >= 0) std::ranges::transform(variables_, std::back_inserter(names), &Variable::name);
+  fail(name,
+       heard_.contains(name.text)
+           ? fmt::format("`{}` is an event: its value is the first parameter of the function that answers it", written(name))
+           : fmt::format("no field of the `Script`, and no parameter, is named `{}`{}", written(name),
+                         did_you_mean(name.text, names)));
 }
 
 /// Only the first mistake of a function is told; what follows may come of it. Where something is missing at the end, the last

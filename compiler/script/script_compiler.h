@@ -5,6 +5,7 @@
 
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,7 @@ class ScriptCompiler {
 
  private:
   // Functions
+  void add_fields();
   void function();
   void begin_function(const ScriptToken& name, ScriptFunction& made);
   std::vector<std::string> parameters();
@@ -102,8 +104,12 @@ class ScriptCompiler {
   std::size_t at_ = 0;
   bool failed_ = false;  // in this function; then the end is next
   std::uint32_t depth_ = 0;
-  std::vector<Variable> variables_;  // parameters last: they hide fields
-  std::set<int> stored_;             // fields
+  std::vector<Variable> variables_;                                 // parameters last: they hide fields
+  std::size_t field_variables_ = 0;                                 // how many of them are fields
+  std::unordered_map<std::string, std::size_t> variable_of_field_;  // by lower-case name, as is the next
+  std::unordered_map<std::string, int> heard_;                      // fields that receive events
+  int proposals_left_ = 10;                                         // each is looked for among all names
+  std::set<int> stored_;                                            // fields
 };
 
 }  // namespace plugc

@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "base/script_limits.h"
+
 namespace plugc {
 namespace {
-
-/// Far more than anybody writes; each token makes a few steps at most.
-constexpr std::size_t kMaxScriptTokens = 100'000;
 
 constexpr std::string_view kBlank = " \t\r\n";
 constexpr std::string_view kDigits = "0123456789";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <random>
@@ -27,6 +28,15 @@ class EventScene : public SceneBuilder {
     auto& routes = scene().routes;
     const auto place = std::ranges::lower_bound(routes, std::pair(from, to), {}, ends);
     if (place == routes.end() || ends(*place) != std::pair(from, to)) routes.insert(place, PackedRoute(from, to));
+  }
+
+  PackedScriptT& script(std::vector<std::uint32_t> inputs, std::vector<std::uint32_t> outputs) {
+    node(PackedEventKind::script, std::move(inputs), std::move(outputs));
+    PackedEventNodeT& added = *scene().event_nodes.back();
+    added.script = std::make_unique<PackedScriptT>();
+    added.script->origin = std::make_unique<PackedLineOrigin>(0, 1);
+    package.sources = {"scene.x3dv"};
+    return *added.script;
   }
 
   /// A TimeSensor: its slots that are no default, by name.
@@ -55,6 +65,7 @@ class EventScene : public SceneBuilder {
   }
 
   double value(std::uint32_t slot) const { return slots_.number(slot, std::nan("")); }
+  const EventGraph& graph() const { return graph_; }
 
  private:
   std::unique_ptr<LoadedPackage> loaded_;
@@ -234,6 +245,92 @@ TEST(EventGraph, TriggersSendWhatTheyStandFor) {
   scene.play_on({2});
   EXPECT_EQ(scene.value(number), 6);
   EXPECT_EQ(scene.value(flag), 1);
+}
+
+/// Adds 1 to what it sends at each event, and moves 999,000 numbers.
+void add_slow_counter(EventScene& scene, std::uint32_t in, std::uint32_t out) {
+  using Op = PackedScriptOp;
+  PackedScriptT& script = scene.script({in, kNoSlot}, {kNoSlot, out});
+  script.values.assign(999'002, 1.0);
+  script.values[0] = 0;
+  script.variables = {{0, 1, 1}, {1, 1, -1}, {2, 999'000, -1}};
+  script.steps = {{0, 1, Op::load}, {1, 1, Op::load}, {0, 1, Op::add}, {0, 1, Op::store},
+                  {0, 1, Op::drop}, {2, 2, Op::load}, {0, 2, Op::drop}};
+  script.functions.emplace_back(0, kNoSlot, kNoSlot, 0, 7);
+}
+
+TEST(EventGraph, BoundsTheWorkOfScriptsBetweenTwoFrames) {
+  EventScene scene;
+  const std::uint32_t cycle = scene.number(0), slow = scene.number(0), sent = scene.number(0), quick = scene.number(0);
+  scene.clock({.loop = scene.number(1), .interval = scene.number(1e-4), .cycle = cycle});
+  add_slow_counter(scene, slow, sent);
+  add_slow_counter(scene, quick, scene.number(0));
+  scene.route(cycle, slow);
+  scene.play({0, 0.5});
+  EXPECT_EQ(scene.value(sent), 51) << "5000 events, but work for 50 of them; the last one is cut short";
+  EXPECT_EQ(scene.graph().memory[1].script.message,
+            "line 2: the script is stopped: the scripts of the scene do more between two frames than may be done");
+  scene.play_on({0.6});
+  EXPECT_EQ(scene.value(sent), 51);
+  scene.send(quick, {1});
+  scene.play_on({0.7});
+  EXPECT_FALSE(scene.graph().memory[2].script.stopped) << "each frame has the whole work";
+}
+
+TEST(EventGraph, AScriptWithoutVariablesStartsOnce) {
+  EventScene scene;
+  const std::uint32_t in = scene.number(0);
+  PackedScriptT& script = scene.script({in}, {kNoSlot});
+  script.values = {0};  // an empty list need not be aligned
+  script.steps = {{0, 1, PackedScriptOp::random}, {0, 1, PackedScriptOp::drop}};
+  script.functions.emplace_back(-1, kNoSlot, kNoSlot, 0, 2);
+  script.functions.emplace_back(0, kNoSlot, kNoSlot, 1, 1);
+  scene.play({0});
+  scene.send(in, {1});
+  scene.play_on({1});
+  EXPECT_EQ(scene.graph().script_work_left, kMaxFrameScriptWork) << "`initialize` does not run again";
+}
+
+double seconds_of_this_process() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+TEST(EventGraph, ManyEventsAtOnceCostWhatHangsOnThem) {
+  constexpr std::uint32_t kFields = 200'000;
+  EventScene scene;
+  const std::uint32_t active = scene.number(0), now = scene.number(-1);
+  scene.clock({.loop = scene.number(1), .active = active});
+  std::vector<std::uint32_t> fields, nodes;
+  for (std::uint32_t i = 0; i < kFields; ++i) fields.push_back(scene.number(0));
+  for (std::uint32_t i = 0; i < kFields; ++i) nodes.push_back(scene.number(0));
+  PackedScriptT& script = scene.script(fields, std::vector<std::uint32_t>(kFields, kNoSlot));
+  script.values.assign(kFields, 0.0);
+  for (std::uint32_t i = 0; i < kFields; ++i) script.variables.emplace_back(i, 1, static_cast<std::int32_t>(i));
+  scene.node(PackedEventKind::bind_stack, nodes, std::vector<std::uint32_t>(1 + 2 * kFields, kNoSlot));
+  scene.scene().event_nodes.back()->outputs[0] = now;
+  for (const std::uint32_t to : fields) scene.scene().routes.emplace_back(active, to);
+  for (const std::uint32_t to : nodes) scene.scene().routes.emplace_back(active, to);
+  const double begin = seconds_of_this_process();
+  scene.play({0, 1});
+  EXPECT_LT(seconds_of_this_process() - begin, 3);
+  EXPECT_EQ(scene.value(now), kFields - 1);
+  EXPECT_EQ(scene.graph().memory[1].script.variables.back(), ScriptValue{1});
+}
+
+TEST(EventGraph, TheOrderOfNodesDecidesWhatIsBoundOnTop) {
+  EventScene scene;
+  const std::uint32_t now = scene.number(-1), a = scene.number(0), b = scene.number(0), c = scene.number(0);
+  scene.node(PackedEventKind::bind_stack, {a, b, c}, {now, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kNoSlot, kNoSlot});
+  const auto bind = [&](double time, const std::vector<std::pair<std::uint32_t, double>>& events) {
+    for (const auto& [slot, value] : events) scene.send(slot, {value});
+    scene.play_on({time});
+    return scene.value(now);
+  };
+  scene.play({0});
+  EXPECT_EQ(bind(1, {{c, 1}, {a, 1}}), 2);
+  EXPECT_EQ(bind(2, {{b, 1}, {a, 0}}), 1);
+  EXPECT_EQ(bind(3, {{b, 0}}), 2);
+  EXPECT_EQ(bind(4, {{c, 0}}), -1) << "a was taken out before";
 }
 
 TEST(Slots, TellsChangesOfWhatWasWatched) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/script_limits.h"
 #include "scene/scene.h"
 #include "unit/scene/graph_fixture.h"
 
@@ -40,6 +41,38 @@ TEST(SceneLimits, StopsAtTheLimitOfNodes) {
   EXPECT_NE(said.find("every `USE` counted, the scene holds more than 2000000 nodes; what follows is left out"),
             std::string::npos)
       << said;
+}
+
+/// Each instance of a prototype has its Script compiled: 100 of 90,000 characters.
+TEST(SceneLimits, StopsAtTheLimitOfScripts) {
+  std::string text = "PROTO P [] { Script { inputOnly SFFloat a url \"castlescript: function a(v, t) v";
+  for (int i = 0; i < 22'500; ++i) text += " + v";
+  text += "\" } }\n";
+  for (int i = 0; i < 100; ++i) text += "P { } ";
+  std::size_t shapes = 0;
+  EXPECT_EQ(
+      said_of_scene(text, shapes),
+      "scene.x3dv:2:14: error: all Scripts together have more than 8000000 characters of code and numbers in their fields; "
+      "those from this one on do not run [scene-limit]\n");
+}
+
+TEST(SceneLimits, CountsTheFirstValuesOfScripts) {
+  std::string text = "PROTO P [] { Script { initializeOnly MFFloat n [";
+  for (int i = 0; i < 200'000; ++i) text += " 1";
+  text += "] inputOnly SFFloat a url \"castlescript: function a(v, t) v\" } }\n";
+  for (int i = 0; i < 39; ++i) text += "P { } ";
+  std::size_t shapes = 0;
+  EXPECT_EQ(said_of_scene(text, shapes), "");
+  EXPECT_NE(said_of_scene(text + "P { } P { }", shapes).find("[scene-limit]"), std::string::npos);
+}
+
+TEST(SceneLimits, RunsNoScriptOfTooManyFields) {
+  std::string text = "Script { url \"castlescript: function f0(v, t) v\"";
+  for (std::size_t i = 0; i < kMaxScriptFields; ++i) text += " inputOnly SFFloat f" + std::to_string(i);
+  std::size_t shapes = 0;
+  EXPECT_EQ(said_of_scene(text + " }", shapes), "");
+  EXPECT_EQ(said_of_scene(text + " inputOnly SFFloat more }", shapes),
+            "scene.x3dv:2:1: error: this Script has more than 1024 fields; it does not run [scene-limit]\n");
 }
 
 }  // namespace
