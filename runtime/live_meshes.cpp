@@ -11,6 +11,7 @@
 
 #include "base/box_texture.h"
 #include "base/vertex_tangents.h"
+#include "runtime/mesh_vertices.h"
 #include "runtime/uniforms.h"
 
 namespace plugc {
@@ -25,10 +26,8 @@ struct Place {
 
 /// No floats where the mesh has no such stream.
 Place stream_place(const PackedMesh& mesh, PackedSemantic semantic, std::uint32_t unit) {
-  for (const PackedStream* stream : *mesh.streams()) {
-    if (stream->semantic() == semantic && stream->unit() == unit) return {stream->offset(), stream->components()};
-  }
-  return {};
+  const PackedStream* const stream = find_stream(mesh, semantic, unit);
+  return stream == nullptr ? Place() : Place{stream->offset(), stream->components()};
 }
 
 Place feed_place(const PackedMesh& mesh, const PackedVertexFeed& feed) {
