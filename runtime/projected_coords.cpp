@@ -32,6 +32,20 @@ void make_streams(const gl::Functions& functions, const gl::Mesh& mesh, const Pa
 
 }  // namespace
 
+ProjectedCoords* find_projected_coords(ProjectedCoordsPool& pool, std::pair<std::uint32_t, std::uint32_t> use,
+                                       const PackedMesh& mesh, std::uint32_t units, Messages& messages) {
+  const auto [found, added] = pool.by_use.try_emplace(use);
+  std::optional<ProjectedCoords>& coords = found->second;
+  if (!added) return coords ? &*coords : nullptr;
+  const std::uint64_t bytes = std::uint64_t{mesh.vertex_count()} * units * sizeof(glm::vec4);
+  if (bytes > pool.bytes_left) {
+    messages.add("the scene's projected texture coordinates need more memory than they get: the last are not projected");
+    return nullptr;
+  }
+  pool.bytes_left -= bytes;
+  return &coords.emplace();
+}
+
 void update_projected_coords(const gl::Functions& functions, const gl::Mesh& mesh, const PackedMesh& packed,
                              const LiveMesh* live, const flatbuffers::Vector<const PackedBinding*>& bindings,
                              const gl::Attributes& attributes, const UniformInputs& inputs, ProjectedCoords& coords) {
