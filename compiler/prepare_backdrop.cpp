@@ -6,9 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "base/limits.h"
 #include "mesh/backdrop.h"
 #include "mesh/unit_coords.h"
 
@@ -24,34 +21,14 @@ std::optional<Mesh> make_part(const NodeGraph& graph, const SceneShape& shape, D
   return side && !are_plain(units) ? with_unit_coords(*side, units) : side;
 }
 
-/// A few colours make many vertices, so all Backgrounds that may be bound have together what one mesh may have.
-class VertexBudget {
- public:
-  /// False, with a message, for a part that would be too much.
-  bool take(const NodeGraph& graph, const SceneShape& shape, const Mesh& mesh, Diagnostics& diagnostics) {
-    if (mesh.positions.size() <= left_) {
-      left_ -= mesh.positions.size();
-      return true;
-    }
-    diagnostics.report(
-        DiagnosticId::geometry_limit, graph[shape.geometry].type_span,
-        fmt::format("the backgrounds of this scene make more than {} vertices; what is more is left out", kMaxMeshVertices));
-    return false;
-  }
-
- private:
-  std::size_t left_ = kMaxMeshVertices;
-};
-
 }  // namespace
 
-void prepare_backdrop(const NodeGraph& graph, SceneParts& parts, Diagnostics& diagnostics) {
-  VertexBudget budget;
+void prepare_backdrop(const NodeGraph& graph, SceneParts& parts, VertexBudget& budget, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
     const SceneShape& shape = parts.scene.shapes[i];
     if (shape.part == ScenePart::world) continue;
     auto mesh = make_part(graph, shape, diagnostics);
-    if (mesh && budget.take(graph, shape, *mesh, diagnostics))
+    if (mesh && take_vertices(budget, mesh->positions.size(), graph[shape.geometry].type_span, diagnostics))
       parts.shapes[i].mesh = std::make_shared<const Mesh>(std::move(*mesh));
   }
 }

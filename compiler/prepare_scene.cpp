@@ -67,23 +67,26 @@ std::shared_ptr<const LiveVertices> with_tangent_unit(const LiveVertices& live, 
   return result;
 }
 
+std::shared_ptr<const Mesh> add_tangents(const Mesh& mesh, std::size_t unit) {
+  auto result = std::make_shared<Mesh>(mesh);
+  result->tangents = make_tangents(mesh, mesh.tex_coords[unit]);
+  if (mesh.live != nullptr && !result->tangents.empty()) result->live = with_tangent_unit(*mesh.live, unit);
+  return result;
+}
+
 /// Meshes with a normal map get tangents, each for the coordinates that the map is read with, unless their author wrote some.
-void prepare_tangents(SceneParts& parts) {
-  std::map<std::pair<const Mesh*, std::size_t>, std::shared_ptr<const Mesh>> made;
+void prepare_tangents(const NodeGraph& graph, SceneParts& parts, MeshCache& made, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < parts.scene.shapes.size(); ++i) {
     const auto& textures = parts.scene.shapes[i].textures;
     const auto map = std::ranges::find(textures, TextureRole::normal, &TextureUse::role);
     std::shared_ptr<const Mesh>& mesh = parts.shapes[i].mesh;
     if (mesh == nullptr || !mesh->tangents.empty() || map == textures.end() || mesh->tex_coords.empty()) continue;
     const auto unit = std::min(static_cast<std::size_t>(map - textures.begin()), mesh->tex_coords.size() - 1);
-    const auto [found, added] = made.try_emplace({mesh.get(), unit}, nullptr);
-    if (added) {
-      auto with_tangents = std::make_shared<Mesh>(*mesh);
-      with_tangents->tangents = make_tangents(*mesh, mesh->tex_coords[unit]);
-      if (mesh->live != nullptr && !with_tangents->tangents.empty()) with_tangents->live = with_tangent_unit(*mesh->live, unit);
-      found->second = std::move(with_tangents);
-    }
-    mesh = found->second;
+    const auto [found, added] = made.with_tangents.try_emplace({mesh, unit}, nullptr);
+    const Span& place = graph[parts.scene.shapes[i].geometry].type_span;
+    if (added && take_vertices(made.budget, mesh->positions.size(), place, diagnostics))
+      found->second = add_tangents(*mesh, unit);
+    if (found->second != nullptr) mesh = found->second;
   }
 }
 
@@ -109,6 +112,26 @@ std::vector<bool> projective_units(const Mesh& mesh) {
   return projective;
 }
 
+bool has_translucent_colors(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.colors, [](const glm::vec4& color) { return color.a < 1; });
+}
+
+/// What only all of a mesh's vertices tell.
+struct MeshFacts {
+  bool translucent_colors = false;
+  std::vector<bool> projective;  ///< By texture coordinate unit.
+};
+
+/// Of each mesh once: many shapes may share one.
+std::map<const Mesh*, MeshFacts> find_mesh_facts(const SceneParts& parts) {
+  std::map<const Mesh*, MeshFacts> facts;
+  for (const ShapePlan& plan : parts.shapes) {
+    const auto [known, added] = facts.try_emplace(plan.mesh.get());
+    if (added && plan.mesh != nullptr) known->second = {has_translucent_colors(*plan.mesh), projective_units(*plan.mesh)};
+  }
+  return facts;
+}
+
 Primitive primitive_of(const Mesh& mesh) {
   switch (mesh.topology) {
     case Topology::points: return Primitive::points;
@@ -118,16 +141,12 @@ Primitive primitive_of(const Mesh& mesh) {
   return Primitive::triangles;
 }
 
-bool has_translucent_colors(const Mesh* mesh) {
-  return mesh != nullptr && std::ranges::any_of(mesh->colors, [](const glm::vec4& color) { return color.a < 1; });
-}
-
 /// X3D 4.1, 12.2.3: as alphaMode says, else alpha between 0 and 1 blends and alpha that is all or nothing is tested.
-AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape, const Mesh* mesh) {
+AlphaUse shape_alpha(const SceneParts& parts, const SceneShape& shape, const MeshFacts& mesh) {
   if (shape.alpha_mode == AlphaMode::opaque) return AlphaUse::opaque;
   if (shape.alpha_mode == AlphaMode::mask) return AlphaUse::tested;
   if (shape.alpha_mode == AlphaMode::blend) return AlphaUse::blended;
-  if (has_translucent_colors(mesh)) return AlphaUse::blended;
+  if (mesh.translucent_colors) return AlphaUse::blended;
   AlphaUse use = AlphaUse::opaque;
   for (const int material : {shape.material, shape.back_material}) {
     if (material < 0) continue;
@@ -159,14 +178,15 @@ class RecipeList {
   std::map<Recipe, int> known_;
 };
 
-ShapeFacts shape_facts(const PreparedScene& prepared, const SceneShape& shape, const Mesh& mesh, AlphaUse alpha) {
+ShapeFacts shape_facts(const PreparedScene& prepared, const SceneShape& shape, const Mesh& mesh, const MeshFacts& of_mesh,
+                       AlphaUse alpha) {
   const bool shader_has_geometry =
       shape.shader >= 0 && prepared.shaders[static_cast<std::size_t>(shape.shader)].has_geometry_main;
   return {.has_normals = !mesh.normals.empty(),
           .has_colors = !mesh.colors.empty(),
           .solid = mesh.solid,
           .alpha_test = alpha == AlphaUse::tested,
-          .projective = projective_units(mesh),
+          .projective = of_mesh.projective,
           .primitive = primitive_of(mesh),
           .has_fog_coords = !mesh.fog_coords.empty(),
           .has_tangents = !mesh.tangents.empty(),
@@ -247,16 +267,17 @@ void plan_screen_effects(SceneParts& parts, RecipeList& recipes) {
 }
 
 /// By shape.
-std::vector<AlphaUse> prepare_alpha(SceneParts& parts) {
+std::vector<AlphaUse> prepare_alpha(SceneParts& parts, const std::map<const Mesh*, MeshFacts>& meshes) {
   std::vector<AlphaUse> alpha;
   for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
-    alpha.push_back(shape_alpha(parts, parts.scene.shapes[i], parts.shapes[i].mesh.get()));
+    alpha.push_back(shape_alpha(parts, parts.scene.shapes[i], meshes.at(parts.shapes[i].mesh.get())));
     parts.shapes[i].blended = alpha.back() == AlphaUse::blended;
   }
   return alpha;
 }
 
-void prepare_recipes(PreparedScene& prepared, const std::vector<AlphaUse>& alpha) {
+void prepare_recipes(PreparedScene& prepared, const std::map<const Mesh*, MeshFacts>& meshes,
+                     const std::vector<AlphaUse>& alpha) {
   SceneParts& parts = prepared.parts;
   RecipeList recipes(prepared.recipes);
   const DepthPasses passes = needs_casters(parts.scene) ? depth_passes(parts.scene) : DepthPasses();
@@ -264,7 +285,7 @@ void prepare_recipes(PreparedScene& prepared, const std::vector<AlphaUse>& alpha
     const SceneShape& shape = parts.scene.shapes[i];
     ShapePlan& plan = parts.shapes[i];
     if (plan.mesh == nullptr) continue;
-    const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, alpha[i]);
+    const ShapeFacts facts = shape_facts(prepared, shape, *plan.mesh, meshes.at(plan.mesh.get()), alpha[i]);
     plan_variants(make_shape_states(parts.scene, shape, facts, prepared.effects),
                   casts_shadow(parts, i) ? passes : DepthPasses(), prepared, recipes, plan);
   }
@@ -286,16 +307,17 @@ PreparedScene prepare_scene(const NodeGraph& graph, Scene scene, PreparedFor pur
   // from here textures have their final numbers, which those of texture coordinates follow
   prepare_meshes(graph, parts, meshes, diagnostics);
   prepare_fill(parts);
-  prepare_backdrop(graph, parts, diagnostics);
-  prepare_tangents(parts);
+  prepare_backdrop(graph, parts, meshes.budget, diagnostics);
+  prepare_tangents(graph, parts, meshes, diagnostics);
   prepare_effect_code(parts.scene, prepared, diagnostics);
   mark_author_visible_maps(prepared.effects, prepared.shaders, parts.scene);
   mark_maps_of_other_light(prepared.effects, parts.scene);
-  const std::vector<AlphaUse> alpha = prepare_alpha(parts);
+  const std::map<const Mesh*, MeshFacts> facts = find_mesh_facts(parts);
+  const std::vector<AlphaUse> alpha = prepare_alpha(parts, facts);
   replace_untraceable_maps(graph, prepared.effects, alpha, parts, diagnostics);
   parts.blended_shapes_cast = has_shadow_volumes(graph, parts.scene);
   if (purpose != PreparedFor::library) drop_impossible_shadows(prepared.effects, parts);
-  prepare_recipes(prepared, alpha);
+  prepare_recipes(prepared, facts, alpha);
   return prepared;
 }
 

@@ -147,19 +147,22 @@ double distance_from_eye(const Box& bounds, const View& view) {
   return is_orthographic(view) ? -seen.z : glm::length(seen);
 }
 
-/// Null for the mesh's own: no coordinates are projected before the vertex shader, or, in a depth pass, none are read; and the
-/// program reads no attribute of an author's.
+/// Null for the mesh's own: the program reads no attribute of an author's, and no coordinates are projected before the vertex
+/// shader (there are none, or no memory for them, or it is a depth pass, which reads none).
 const gl::VertexArray* vertex_array_of(const gl::Functions& functions, LoadedScene& scene, const Pass& pass,
-                                       std::uint32_t index, std::uint32_t program, const UniformInputs& inputs) {
+                                       std::uint32_t index, std::uint32_t program, const UniformInputs& inputs,
+                                       Messages& messages) {
   const PackedShape& shape = scene.shape(index);
   const auto* bindings = shape.projected_coords();
   if (bindings == nullptr || bindings->size() == 0 || pass.depth_only)
     return scene.resources.custom_attributes(shape.mesh(), program);
-  ProjectedCoords& coords = scene.projected_coords[{index, program}];
-  update_projected_coords(functions, scene.resources.mesh(shape.mesh()), *scene.package->meshes()->Get(shape.mesh()),
-                          scene.live_meshes.find(shape.mesh()), *bindings,
-                          *scene.package->programs()->Get(program)->attributes(), inputs, coords);
-  return &coords.vertex_array;
+  const PackedMesh& mesh = *scene.package->meshes()->Get(shape.mesh());
+  ProjectedCoords* const coords =
+      find_projected_coords(scene.projected_coords, {index, program}, mesh, bindings->size(), messages);
+  if (coords == nullptr) return scene.resources.custom_attributes(shape.mesh(), program);
+  update_projected_coords(functions, scene.resources.mesh(shape.mesh()), mesh, scene.live_meshes.find(shape.mesh()), *bindings,
+                          *scene.package->programs()->Get(program)->attributes(), inputs, *coords);
+  return &coords->vertex_array;
 }
 
 UniformInputs uniform_inputs(const LoadedScene& scene, const Pass& pass, const glm::dmat4& object_to_world,
@@ -211,7 +214,7 @@ bool draw_shape(const gl::Functions& functions, LoadedScene& scene, Pass& pass, 
   const UniformInputs inputs = uniform_inputs(scene, pass, object_to_world, shape.mirror());
   apply_bindings(functions, scene, pass, program, bindings_in(use, pass), inputs, messages);
   if (!pass.depth_only) gl::set_draw_state(functions, draw_state_of(shape, scene.slots, object_to_world));
-  gl::draw_mesh(functions, mesh, vertex_array_of(functions, scene, pass, index, program_index, inputs));
+  gl::draw_mesh(functions, mesh, vertex_array_of(functions, scene, pass, index, program_index, inputs, messages));
   pass.programs.insert(program_index);
   return true;
 }

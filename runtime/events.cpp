@@ -3,10 +3,13 @@
 #include "runtime/events.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace plugc {
 Slots::Slots(const PackedScene& scene)
-    : slots_(scene.slots()), values_(scene.slot_values()->begin(), scene.slot_values()->end()) {}
+    : slots_(scene.slots()),
+      values_(scene.slot_values()->begin(), scene.slot_values()->end()),
+      changed_at_(scene.slots()->size(), revision_) {}
 
 std::span<const double> Slots::values(std::uint32_t slot) const {
   if (slot == kNoSlot || slots_ == nullptr || slot >= slots_->size()) return {};
@@ -35,9 +38,9 @@ glm::dvec4 Slots::vector4(std::uint32_t slot, const glm::dvec4& fallback) const 
 bool Slots::set(std::uint32_t slot, std::span<const double> changed) {
   const std::span<const double> old = values(slot);
   if (old.empty() || old.size() != changed.size()) return false;
-  if (std::equal(old.begin(), old.end(), changed.begin())) return true;
+  if (std::memcmp(old.data(), changed.data(), old.size_bytes()) == 0) return true;
   std::copy(changed.begin(), changed.end(), values_.begin() + slots_->Get(slot)->first());
-  ++revision_;
+  changed_at_[slot] = ++revision_;
   if (!watched_.empty() && watched_[slot]) ++watched_revision_;
   return true;
 }
@@ -51,6 +54,7 @@ void Slots::restore(const PackedScene& scene) {
   values_.assign(scene.slot_values()->begin(), scene.slot_values()->end());
   ++revision_;
   ++watched_revision_;
+  std::ranges::fill(changed_at_, revision_);
 }
 
 }  // namespace plugc

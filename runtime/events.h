@@ -26,7 +26,8 @@ class Slots {
   /// Numbers of one element.
   std::size_t element_size(std::uint32_t slot) const;
 
-  /// False when there is no such slot, or it holds another number of values.
+  /// False when there is no such slot, or it holds another number of values. The same bits are no change: so NaN, which equals
+  /// nothing, is none either.
   bool set(std::uint32_t slot, std::span<const double> values);
 
   /// All values as the package has them.
@@ -34,6 +35,8 @@ class Slots {
 
   /// Grows whenever a value changes: what was computed at an older revision may be out of date.
   std::uint64_t revision() const { return revision_; }
+  /// The revision that the slot's last change made; of a slot that there is.
+  std::uint64_t changed_at(std::uint32_t slot) const { return changed_at_[slot]; }
 
   /// While it is on, what is read is noted: from then on a change of such a slot makes watched_revision() grow, too.
   void set_watching(bool on);
@@ -45,6 +48,7 @@ class Slots {
   const flatbuffers::Vector<const PackedSlot*>* slots_ = nullptr;
   std::vector<double> values_;
   std::uint64_t revision_ = 1, watched_revision_ = 1;
+  std::vector<std::uint64_t> changed_at_;  // by slot
   bool watching_ = false;
   mutable std::vector<bool> watched_;  // by slot; as long as there are slots once something has been watched
 };

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "base/box_texture.h"
 #include "base/vertex_tangents.h"
+#include "runtime/mesh_vertices.h"
 #include "runtime/uniforms.h"
 
 namespace plugc {
@@ -24,10 +26,8 @@ struct Place {
 
 /// No floats where the mesh has no such stream.
 Place stream_place(const PackedMesh& mesh, PackedSemantic semantic, std::uint32_t unit) {
-  for (const PackedStream* stream : *mesh.streams()) {
-    if (stream->semantic() == semantic && stream->unit() == unit) return {stream->offset(), stream->components()};
-  }
-  return {};
+  const PackedStream* const stream = find_stream(mesh, semantic, unit);
+  return stream == nullptr ? Place() : Place{stream->offset(), stream->components()};
 }
 
 Place feed_place(const PackedMesh& mesh, const PackedVertexFeed& feed) {
@@ -128,10 +128,9 @@ bool update_live_mesh(LiveMesh& live, const Slots& slots) {
   bool changed = false, moved = false;
   for (flatbuffers::uoffset_t i = 0; i < live.packed->feeds()->size(); ++i) {
     const PackedVertexFeed& feed = *live.packed->feeds()->Get(i);
-    const std::span<const double> numbers = slots.values(feed.slot());
-    if (std::ranges::equal(live.taken[i], numbers)) continue;
-    live.taken[i].assign(numbers.begin(), numbers.end());
-    write_feed(live, feed, numbers);
+    const std::uint64_t changed_at = slots.changed_at(feed.slot());
+    if (std::exchange(live.taken[i], changed_at) == changed_at) continue;
+    write_feed(live, feed, slots.values(feed.slot()));
     changed = true;
     moved = moved || feed.semantic() == PackedSemantic::position;
   }

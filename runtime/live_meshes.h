@@ -18,7 +18,7 @@ struct LiveMesh {
   const PackedMesh* mesh = nullptr;
   std::vector<std::uint8_t> vertices;        ///< As the package lays them out.
   Box bounds;                                ///< Object space.
-  std::vector<std::vector<double>> taken;    ///< By feed: what its slot held.
+  std::vector<std::uint64_t> taken;          ///< By feed: Slots::changed_at of what was written; 0: nothing yet.
   std::vector<std::uint32_t> corner_points;  ///< Of made normals: by corner, the first vertex in its place.
   CornersAtPoints corners_at;                ///< The same, by that vertex.
   std::uint32_t version = 0;                 ///< Grows with each change.

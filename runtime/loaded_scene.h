@@ -29,10 +29,10 @@ struct LoadedScene {
   ProgramPool programs;
   ResourcePool resources;
   std::vector<ShadowMap> shadow_maps;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, ProjectedCoords> projected_coords = {};  ///< By shape and program.
-  std::optional<Viewer> placed_for = {};                                                     ///< Whom Billboards are turned to.
-  std::int32_t placed_scene = -1;  ///< What is visible in `world`: see place().
-  Box framed = {};                 ///< World::framed of the world, not of a texture's own scene.
+  ProjectedCoordsPool projected_coords = {};
+  std::optional<Viewer> placed_for = {};  ///< Whom Billboards are turned to.
+  std::int32_t placed_scene = -1;         ///< What is visible in `world`: see place().
+  Box framed = {};                        ///< World::framed of the world, not of a texture's own scene.
   TracedShadows traced = {};
   std::vector<RenderedTexture> rendered_textures = {};
   ScreenTargets screen = {};

@@ -5,38 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string_view>
+
+#include "runtime/mesh_vertices.h"
 
 namespace plugc {
 namespace {
-
-const PackedStream* find_stream(const PackedMesh& mesh, PackedSemantic semantic) {
-  for (const PackedStream* stream : *mesh.streams()) {
-    if (stream->semantic() == semantic && stream->unit() == 0) return stream;
-  }
-  return nullptr;
-}
-
-/// A mesh with its vertices, which may be live.
-struct MeshVertices {
-  const PackedMesh& mesh;
-  std::span<const std::uint8_t> bytes;
-};
-
-glm::dvec3 read_vertex(const MeshVertices& vertices, const PackedStream& stream, std::uint32_t vertex) {
-  glm::vec3 value(0);
-  const std::size_t at = std::size_t{vertex} * vertices.mesh.stride() + stream.offset();
-  std::memcpy(&value, vertices.bytes.data() + at, std::min<std::size_t>(stream.components(), 3) * sizeof(float));
-  return value;
-}
 
 /// One value an index.
 std::vector<glm::dvec3> read_corners(const MeshVertices& vertices, PackedSemantic semantic) {
   std::vector<glm::dvec3> values;
   const PackedStream* const stream = find_stream(vertices.mesh, semantic);
   if (stream == nullptr) return values;
-  for (const std::uint32_t index : *vertices.mesh.indices()) values.push_back(read_vertex(vertices, *stream, index));
+  for (const std::uint32_t index : *vertices.mesh.indices()) values.emplace_back(read_vertex(vertices, *stream, index));
   return values;
 }
 

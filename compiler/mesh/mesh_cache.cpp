@@ -14,15 +14,20 @@ std::size_t hash_of(const std::vector<T>& list) {
   return std::hash<std::string_view>()({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
 }
 
-void report_full(MeshCache& cache, const Span& geometry, Diagnostics& diagnostics) {
-  if (std::exchange(cache.is_full, true)) return;
-  diagnostics.report(
-      DiagnosticId::geometry_limit, geometry,
-      fmt::format("the meshes of this scene have more than {} vertices; this one and new ones behind it are left out",
-                  kMaxSceneVertices));
-}
-
 }  // namespace
+
+bool take_vertices(VertexBudget& budget, std::size_t count, const Span& geometry, Diagnostics& diagnostics) {
+  if (!budget.spent && count <= budget.left) {
+    budget.left -= count;
+    return true;
+  }
+  if (!std::exchange(budget.spent, true))
+    diagnostics.report(
+        DiagnosticId::geometry_limit, geometry,
+        fmt::format("the meshes of this scene have more than {} vertices; what is more is left out, from here on",
+                    kMaxSceneVertices));
+  return false;
+}
 
 std::shared_ptr<const Mesh> share_mesh(MeshCache& cache, Mesh mesh, const Span& geometry, Diagnostics& diagnostics) {
   const bool own = mesh.live != nullptr;  // what is equal now will not stay so
@@ -31,11 +36,7 @@ std::shared_ptr<const Mesh> share_mesh(MeshCache& cache, Mesh mesh, const Span& 
   for (auto known = first; !own && known != last; ++known) {
     if (*known->second == mesh) return known->second;
   }
-  if (cache.is_full || mesh.positions.size() > cache.vertices_left) {
-    report_full(cache, geometry, diagnostics);
-    return nullptr;
-  }
-  cache.vertices_left -= mesh.positions.size();
+  if (!take_vertices(cache.budget, mesh.positions.size(), geometry, diagnostics)) return nullptr;
   auto shared = std::make_shared<const Mesh>(std::move(mesh));
   if (!own) cache.by_content.emplace(hash, shared);
   return shared;

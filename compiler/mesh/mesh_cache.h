@@ -14,16 +14,27 @@
 
 namespace plugc {
 
+/// What all meshes of a compilation may have together.
+struct VertexBudget {
+  std::size_t left = kMaxSceneVertices;
+  bool spent = false;  ///< Something was refused: all that comes after it is.
+};
+
+/// Takes the vertices of one more mesh. False where they are too many, and ever after; the first time is reported, at the place
+/// of the geometry.
+bool take_vertices(VertexBudget& budget, std::size_t count, const Span& geometry, Diagnostics& diagnostics);
+
 struct MeshCache {
   /// By geometry node and by what its texture units read; null where the node has nothing to draw.
   std::map<std::pair<NodeId, std::vector<UnitCoords>>, std::shared_ptr<const Mesh>> by_node;
   std::unordered_multimap<std::size_t, std::shared_ptr<const Mesh>> by_content;  ///< By a hash of positions and indices.
-  std::size_t vertices_left = kMaxSceneVertices;
-  bool is_full = false;  ///< A mesh was left out: all new ones are.
+  /// By a mesh and the unit whose coordinates its tangents follow; null where they are left out.
+  std::map<std::pair<std::shared_ptr<const Mesh>, std::size_t>, std::shared_ptr<const Mesh>> with_tangents;
+  VertexBudget budget;
 };
 
-/// The mesh as the cache has it; one that is new to it is added. One with vertices that events change is its own. Null where
-/// that would be too many vertices, and for every new mesh from there on; the first is reported, at the place of its geometry.
+/// The mesh as the cache has it; one that is new to it is added. One with vertices that events change is its own. Null for a
+/// new one where the budget is spent.
 std::shared_ptr<const Mesh> share_mesh(MeshCache& cache, Mesh mesh, const Span& geometry, Diagnostics& diagnostics);
 
 }  // namespace plugc

@@ -187,7 +187,7 @@ void Assembler::add_scene(SceneParts& parts) {
   pack_slots(scene, *packed);
   pack_transforms(scene, *packed);
   pack_clip_planes(scene, *packed);
-  pack_fog_planes(scene, *packed);
+  const std::vector<std::uint32_t> fog_planes = pack_fog_planes(scene, *packed);
   pack_events(scene, sources_, *packed);
   for (const SceneLight& light : scene.lights) packed->lights.push_back(pack_light(light));
   for (const SceneViewpoint& viewpoint : scene.viewpoints) packed->viewpoints.push_back(pack_viewpoint(viewpoint));
@@ -197,19 +197,21 @@ void Assembler::add_scene(SceneParts& parts) {
   for (std::size_t i = 0; i < parts.programs.size(); ++i) programs.push_back(add_program(parts, i));
   std::vector<std::uint32_t> textures;
   for (std::size_t i = 0; i < scene.textures.size(); ++i) textures.push_back(add_texture(scene.textures[i], parts.images[i]));
+  MirrorWindows mirrors;
+  const Packed where{programs, textures, fog_planes, mirrors};
   for (std::size_t i = 0; i < scene.shadow_maps.size(); ++i) {
     packed->shadow_maps.push_back(pack_shadow_map(scene.shadow_maps[i]));
-    pack_map_programs(parts, i, {programs, textures}, *packed->shadow_maps.back());
+    pack_map_programs(parts, i, where, *packed->shadow_maps.back());
   }
   pack_rendered_textures(scene, *packed);
-  pack_screen_effects(parts, programs, textures, *packed);
+  pack_screen_effects(parts, where, *packed);
   const auto meshes = add_meshes(parts);
   for (std::size_t i = 0; i < parts.shapes.size(); ++i) {
     const ShapePlan& plan = parts.shapes[i];
     const bool drawn = std::ranges::any_of(plan.variants, [&](const PlannedVariant& variant) {
       return programs[static_cast<std::size_t>(variant.program)] != kNothing;
     });
-    if (drawn) packed->shapes.push_back(pack_shape(parts, i, meshes.at(plan.mesh.get()), {programs, textures}));
+    if (drawn) packed->shapes.push_back(pack_shape(parts, i, meshes.at(plan.mesh.get()), where));
   }
   pack_live_meshes(parts, meshes, *packed);
   if (parts.library) package_.effects.push_back(pack_effect(*parts.library, programs));

@@ -1,23 +1,23 @@
-// Only fogs in layers have a plane: the plane of one is found by counting those before it.
-
 #include "package/pack_fog.h"
-
-#include <algorithm>
 
 namespace plugc {
 
 std::optional<PackedBinding> bind_fog_plane(std::uint32_t uniform, const CastleName& name, const BindingContext& context) {
   if (name.source != CastleSource::fog_plane || context.shape.fog < 0) return std::nullopt;
-  const auto& fogs = context.scene.fogs;
-  if (!fogs[static_cast<std::size_t>(context.shape.fog)].volumetric) return std::nullopt;
-  const auto before = std::ranges::count_if(fogs.begin(), fogs.begin() + context.shape.fog, &SceneFog::volumetric);
-  return PackedBinding(uniform, static_cast<std::uint32_t>(before), 0, 1, PackedSource::fog_plane);
+  const std::uint32_t plane = context.fog_planes[static_cast<std::size_t>(context.shape.fog)];
+  if (plane == UINT32_MAX) return std::nullopt;
+  return PackedBinding(uniform, plane, 0, 1, PackedSource::fog_plane);
 }
 
-void pack_fog_planes(const Scene& scene, PackedSceneT& packed) {
-  for (const SceneFog& fog : scene.fogs) {
-    if (fog.volumetric) packed.fog_planes.emplace_back(fog.transform, fog.direction, fog.start);
+std::vector<std::uint32_t> pack_fog_planes(const Scene& scene, PackedSceneT& packed) {
+  std::vector<std::uint32_t> planes(scene.fogs.size(), UINT32_MAX);
+  for (std::size_t i = 0; i < scene.fogs.size(); ++i) {
+    const SceneFog& fog = scene.fogs[i];
+    if (!fog.volumetric) continue;
+    planes[i] = static_cast<std::uint32_t>(packed.fog_planes.size());
+    packed.fog_planes.emplace_back(fog.transform, fog.direction, fog.start);
   }
+  return planes;
 }
 
 }  // namespace plugc

@@ -12,7 +12,7 @@ namespace plugc {
 /// stands in no such fog.
 std::optional<PackedBinding> bind_fog_plane(std::uint32_t uniform, const CastleName& name, const BindingContext& context);
 
-/// The planes of the scene's fogs that lie in layers, in the order of those fogs.
-void pack_fog_planes(const Scene& scene, PackedSceneT& packed);
+/// Packs the planes of the scene's fogs that lie in layers. Which each fog has; UINT32_MAX for one that has none.
+std::vector<std::uint32_t> pack_fog_planes(const Scene& scene, PackedSceneT& packed);
 
 }  // namespace plugc

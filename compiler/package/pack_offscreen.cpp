@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "package/pack_bindings.h"
-#include "package/pack_shape.h"
 #include "package/pack_texture.h"
 
 namespace plugc {
@@ -44,18 +43,17 @@ void pack_rendered_textures(const Scene& scene, PackedSceneT& packed) {
   }
 }
 
-void pack_screen_effects(const SceneParts& parts, const std::vector<std::uint32_t>& programs,
-                         const std::vector<std::uint32_t>& textures, PackedSceneT& packed) {
+void pack_screen_effects(const SceneParts& parts, const Packed& where, PackedSceneT& packed) {
   const SceneShape none;
   for (std::size_t i = 0; i < parts.screen_programs.size(); ++i) {
     const SceneScreenEffect& effect = parts.scene.screen_effects[i];
     const auto index = static_cast<std::size_t>(parts.screen_programs[i]);
-    if (programs[index] == kNothing) continue;
+    if (where.programs[index] == kNothing) continue;
     packed.screen_effects.push_back(std::make_unique<PackedScreenEffectT>());
     PackedScreenEffectT& added = *packed.screen_effects.back();
     added.name = effect.label;
-    added.program = programs[index];
-    added.bindings = pack_bindings(parts.programs[index], {parts.scene, none, textures});
+    added.program = where.programs[index];
+    added.bindings = pack_bindings(parts.programs[index], {parts.scene, none, where.textures, where.fog_planes});
     added.enabled = effect.enabled;
     added.needs_depth = effect.needs_depth;
     added.transform = effect.transform;

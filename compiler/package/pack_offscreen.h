@@ -3,15 +3,13 @@
 
 #include <vector>
 
-#include "package/assemble_package.h"
+#include "package/pack_shape.h"
 
 namespace plugc {
 
 void pack_rendered_textures(const Scene& scene, PackedSceneT& packed);
 
-/// `programs` and `textures`: where those of the scene lie in the package (UINT32_MAX: nowhere). An effect whose shader is not
-/// valid is left out.
-void pack_screen_effects(const SceneParts& parts, const std::vector<std::uint32_t>& programs,
-                         const std::vector<std::uint32_t>& textures, PackedSceneT& packed);
+/// An effect whose shader is not valid is left out.
+void pack_screen_effects(const SceneParts& parts, const Packed& where, PackedSceneT& packed);
 
 }  // namespace plugc

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "compose/castle_names.h"
-#include "mesh/mirror_window.h"
 #include "package/pack_bindings.h"
 #include "package/pack_style.h"
 
@@ -60,7 +59,7 @@ PackedSwitch pack_switch(const Scene& scene, const ShapeSwitch& one) {
 /// no effect in it, has the first that is.
 void pack_variants(const SceneParts& parts, std::size_t index, const Packed& where, PackedShapeT& packed) {
   const ShapePlan& plan = parts.shapes[index];
-  const BindingContext context{parts.scene, parts.scene.shapes[index], where.textures};
+  const BindingContext context{parts.scene, parts.scene.shapes[index], where.textures, where.fog_planes};
   std::vector<PackedVariantT> variants;
   std::vector<std::uint8_t> numbers;  // by planned variant
   for (const PlannedVariant& planned : plan.variants) {
@@ -127,8 +126,10 @@ bool is_mirror(const Scene& scene, const SceneShape& shape) {
          (shape.shader >= 0 && has_field_of_mirror(scene, scene.shaders[static_cast<std::size_t>(shape.shader)]));
 }
 
-std::unique_ptr<PackedWindow> pack_mirror(const Mesh& mesh) {
-  const auto window = mirror_window(mesh);
+std::unique_ptr<PackedWindow> pack_mirror(const Mesh& mesh, MirrorWindows& windows) {
+  const auto [known, added] = windows.try_emplace(&mesh);
+  if (added) known->second = mirror_window(mesh);
+  const std::optional<MirrorWindow>& window = known->second;
   const auto pack = [](const glm::dvec3& vector) { return PackedVec3(vector.x, vector.y, vector.z); };
   return window ? std::make_unique<PackedWindow>(pack(window->corner), pack(window->right), pack(window->up)) : nullptr;
 }
@@ -151,7 +152,7 @@ void pack_map_programs(const SceneParts& parts, std::size_t map, const Packed& w
   const MapPlan plan = map < parts.maps.size() ? parts.maps[map] : MapPlan();
   if (plan.moments_program < 0) return;
   const SceneShape none;
-  const BindingContext context{parts.scene, none, where.textures, static_cast<int>(map)};
+  const BindingContext context{parts.scene, none, where.textures, where.fog_planes, static_cast<int>(map)};
   const auto pack = [&](int program, std::int32_t& index, std::vector<PackedBinding>& bindings) {
     index = static_cast<std::int32_t>(where.programs[static_cast<std::size_t>(program)]);
     bindings = pack_bindings(parts.programs[static_cast<std::size_t>(program)], context);
@@ -184,9 +185,10 @@ std::unique_ptr<PackedShapeT> pack_shape(const SceneParts& parts, std::size_t in
   }
   const Recipe& recipe = parts.programs[static_cast<std::size_t>(plan.variants.front().program)].used;
   pack_style(shape, recipe.point_size, *packed);
-  if (is_mirror(parts.scene, shape)) packed->mirror = pack_mirror(*plan.mesh);
+  if (is_mirror(parts.scene, shape)) packed->mirror = pack_mirror(*plan.mesh, where.mirrors);
   packed->layer = shape.part == ScenePart::world ? PackedLayer::world : PackedLayer::backdrop;
-  packed->projected_coords = pack_projected_coords({parts.scene, shape, where.textures}, units_read(parts, plan));
+  packed->projected_coords =
+      pack_projected_coords({parts.scene, shape, where.textures, where.fog_planes}, units_read(parts, plan));
   for (const ReceivedShadow& shadow : shape.receives) packed->receives.push_back(static_cast<std::uint32_t>(shadow.shadow_map));
   return packed;
 }

@@ -2,9 +2,12 @@
 // A shape with the programs of its states, and what fills their uniforms.
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "mesh/mirror_window.h"
 #include "package/assemble_package.h"
 
 namespace plugc {
@@ -12,10 +15,15 @@ namespace plugc {
 inline constexpr std::uint32_t kNothing =
     UINT32_MAX;  ///< In place of an index: a program that is not valid, a texture without pixels.
 
-/// Where the programs and textures of a scene lie in the package.
+/// Of meshes that are mirrors, as they are asked for: many shapes may share one.
+using MirrorWindows = std::map<const Mesh*, std::optional<MirrorWindow>>;
+
+/// Where the programs, textures and fog planes of a scene lie in the package.
 struct Packed {
   const std::vector<std::uint32_t>& programs;  // by recipe of the scene; kNothing: none is valid
   const std::vector<std::uint32_t>& textures;
+  const std::vector<std::uint32_t>& fog_planes;  // by fog of the scene; UINT32_MAX: it is not in layers
+  MirrorWindows& mirrors;
 };
 
 /// Sets of texture coordinates that the program reads.

@@ -65,6 +65,16 @@ void SceneWalk::add_background() {
   appearances_.resize(context_.scene.shapes.size());
 }
 
+/// Backgrounds come behind the walk, which counted none of their shapes. False where there was no room left, which is reported.
+bool SceneWalk::add_backdrop_within_limits(const BoundBackground& background) {
+  if (context_.scene.shapes.size() >= kMaxShapeInstances) {
+    report_limit(background.node, kMaxShapeInstances, "shapes");
+    return false;
+  }
+  add_backdrop(context_, background.node, background.transform);
+  return true;
+}
+
 /// Of all that can be bound, each for its number.
 void SceneWalk::add_changing_background() {
   const BindStack& backgrounds = stack(BindKind::background);
@@ -73,7 +83,7 @@ void SceneWalk::add_changing_background() {
   context_.scene.background_color = bound_sky_color(context_, default_sky(context_));
   for (std::size_t i = 0; i < backgrounds.nodes.size(); ++i) {
     const std::size_t first = shapes.size();
-    add_backdrop(context_, backgrounds.nodes[i], backgrounds.transforms[i]);
+    if (!add_backdrop_within_limits({backgrounds.nodes[i], backgrounds.transforms[i]})) return;
     for (std::size_t k = first; k < shapes.size(); ++k) shapes[k].background = static_cast<int>(i);
   }
 }
@@ -138,8 +148,7 @@ void SceneWalk::add_own_background(int texture) {
   const auto found = context_.own_backgrounds.find(texture);
   if (found == context_.own_backgrounds.end()) return;
   const std::size_t first = context_.scene.shapes.size();
-  const BoundBackground background = found->second;
-  add_backdrop(context_, background.node, background.transform);
+  if (!add_backdrop_within_limits(found->second)) return;
   for (std::size_t i = first; i < context_.scene.shapes.size(); ++i) context_.scene.shapes[i].own_scene_of = texture;
   appearances_.resize(context_.scene.shapes.size());
 }
@@ -173,6 +182,8 @@ Scene build_scene(const NodeGraph& graph, SourceSet& sources, FileAccess& files,
                   Diagnostics& diagnostics) {
   SceneContext context(graph, sources, files, options, diagnostics);
   SceneWalk(context).run();
+  for (const auto& [node, field] : context.vertex_fields) context.scene.vertex_fields.push_back(field);
+  report_events_to_gradients(context);
   add_dynamic_slots(context);
   read_events(context);
   report_ignored_events(graph, diagnostics);

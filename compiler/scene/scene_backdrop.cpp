@@ -34,24 +34,6 @@ bool has_gradient(const NodeGraph& graph, NodeId background) {
   return is_divided("skyColor", "skyAngle") || is_divided("groundColor", "groundAngle");
 }
 
-/// A gradient is a mesh. (One colour alone is a slot, which events do reach. What is sent there by a node whose events are not
-/// made is told of with the other events.)
-void report_events_to_gradient(const SceneContext& context, NodeId background) {
-  constexpr std::string_view kFields[] = {"skyColor", "skyAngle", "groundColor", "groundAngle"};
-  const auto is_led_to = [&](std::string_view field) { return !context.slots.senders(background, field).empty(); };
-  if (std::ranges::none_of(kFields, is_led_to)) return;
-  for (const GraphRoute& route : context.graph.routes()) {
-    if (route.to != background || std::ranges::find(kFields, route.to_field) == std::end(kFields)) continue;
-    if (context.slots.find(route.to, route.to_field) &&
-        is_unmade(context.graph, context.scripts, {route.from, route.from_field}))
-      continue;
-    context.diagnostics.report(DiagnosticId::event_ignored, route.span,
-                               fmt::format("events to `{}.{}` are not followed where there is a gradient: it keeps its first "
-                                           "colours",
-                                           context.graph[background].info->name, route.to_field));
-  }
-}
-
 SceneShape backdrop_shape(const SceneContext& context, NodeId background, int transform, ScenePart part) {
   SceneShape shape;
   shape.name = node_label(context.graph, background);
@@ -146,7 +128,7 @@ void add_image(SceneContext& context, NodeId background) {
 void add_backdrop(SceneContext& context, NodeId background, int transform) {
   Scene& scene = context.scene;
   if (has_gradient(context.graph, background)) {
-    report_events_to_gradient(context, background);
+    context.gradients.insert(background);
     scene.shapes.push_back(backdrop_shape(context, background, transform, ScenePart::gradient));
   }
   if (context.graph.is(background, "ImageBackground")) return add_image(context, background);
@@ -157,6 +139,22 @@ void add_backdrop(SceneContext& context, NodeId background, int transform) {
     read_texture_coordinates(context, shape);
     read_side_shaders(context, shape);
     scene.shapes.push_back(std::move(shape));
+  }
+}
+
+/// What is sent there by a node whose events are not made is told of with the other events.
+void report_events_to_gradients(const SceneContext& context) {
+  constexpr std::string_view kFields[] = {"skyColor", "skyAngle", "groundColor", "groundAngle"};
+  if (context.gradients.empty()) return;
+  for (const GraphRoute& route : context.graph.routes()) {
+    if (!context.gradients.contains(route.to) || std::ranges::find(kFields, route.to_field) == std::end(kFields)) continue;
+    if (context.slots.find(route.to, route.to_field) &&
+        is_unmade(context.graph, context.scripts, {route.from, route.from_field}))
+      continue;
+    context.diagnostics.report(DiagnosticId::event_ignored, route.span,
+                               fmt::format("events to `{}.{}` are not followed where there is a gradient: it keeps its first "
+                                           "colours",
+                                           context.graph[route.to].info->name, route.to_field));
   }
 }
 

@@ -55,11 +55,13 @@ struct SceneContext {
   Scripts scripts;
   std::set<EventField> live;  ///< Where events can happen while nobody touches the scene.
   SlotTable slots;
-  std::array<BindStack, kBindKinds> stacks;  ///< By BindKind.
-  std::vector<SceneEventNode> chooses;       ///< What follows from what is bound; evaluated last.
+  std::array<BindStack, kBindKinds> stacks;     ///< By BindKind.
+  std::map<NodeId, VertexField> vertex_fields;  ///< Those of the scene, until all are found.
+  std::vector<SceneEventNode> chooses;          ///< What follows from what is bound; evaluated last.
   std::map<NodeId, int> effects, shaders, textures, texture_transforms, materials, projectors;  ///< -1: takes no part.
   std::map<NodeId, int> back_materials;               ///< Of TwoSidedMaterial: what it says of back faces.
   std::map<NodeId, int> sensor_transforms;            ///< Where each ProximitySensor stands first.
+  std::set<NodeId> gradients;                         ///< Backgrounds that are more than one colour.
   std::set<NodeId> screen_effects;                    ///< That were met.
   std::map<NodeId, int> own_viewpoints;               ///< Transforms of those in the scenes of rendered textures.
   std::map<int, BoundBackground> own_backgrounds;     ///< By rendered texture.
@@ -92,7 +94,7 @@ void read_textures(SceneContext& context, NodeId texture, NodeId transform, Scen
 /// Where the coordinates of the shape's textures come from; after its textures and geometry are known.
 void read_texture_coordinates(SceneContext& context, SceneShape& shape);
 
-/// Makes slots of the lists below the geometry that events may change.
+/// Makes slots of the lists below the geometry that events may change, in context.vertex_fields.
 void read_vertex_fields(SceneContext& context, NodeId geometry);
 
 /// Fills what the Appearance says: material, textures, effects, shader, blending.
@@ -114,6 +116,9 @@ void lend_own_fogs(SceneContext& context, std::optional<int>& bound);
 
 /// The shapes of the bound Background: its gradients and pictures.
 void add_backdrop(SceneContext& context, NodeId background, int transform);
+/// Says that events do not change a gradient, which is a mesh. (One colour alone is a slot, which they do reach.) After all
+/// backdrops are added.
+void report_events_to_gradients(const SceneContext& context);
 
 /// What a RenderedTexture or GeneratedCubeMapTexture draws, into context.scene.rendered_textures; -1 for another node.
 int rendered_texture_index(SceneContext& context, NodeId texture);

@@ -49,13 +49,11 @@ std::span<const double> first_key_sent(const SceneContext& context, NodeId node,
 void read_list(SceneContext& context, NodeId node, std::string_view field) {
   const NodeGraph& graph = context.graph;
   if (!context.live.contains({node, field})) return;
-  auto& fields = context.scene.vertex_fields;
-  const auto known = std::ranges::lower_bound(fields, node, {}, &VertexField::node);
-  if (known != fields.end() && known->node == node) return;  // a node has one list
+  if (context.vertex_fields.contains(node)) return;  // a node has one list
   std::span<const double> start = graph.field(node, field).numbers;
   if (start.empty()) start = first_key_sent(context, node, field);
   const std::uint32_t slot = context.slots.slot_of_values(node, field, start);
-  if (slot != kSceneNoSlot) fields.insert(known, {node, field, slot, start});
+  if (slot != kSceneNoSlot) context.vertex_fields.emplace(node, VertexField{node, field, slot, start});
 }
 
 void read_child(SceneContext& context, NodeId child) {

@@ -49,18 +49,19 @@ Shading read_shading(SceneContext& context, NodeId shape) {
 
 bool SceneWalk::within_limits(NodeId node) {
   if (limit_reached_ || depth_ >= kMaxSceneDepth) return false;  // so deep a graph was cut, and reported, before
-  std::string reached;
   if (context_.scene.shapes.size() >= kMaxShapeInstances) {
-    reached = fmt::format("{} shapes", kMaxShapeInstances);
+    report_limit(node, kMaxShapeInstances, "shapes");
   } else if (visited_ >= kMaxSceneNodes) {
-    reached = fmt::format("{} nodes", kMaxSceneNodes);
+    report_limit(node, kMaxSceneNodes, "nodes");
   }
-  if (reached.empty()) return true;
-  limit_reached_ = true;
+  return !limit_reached_;
+}
+
+void SceneWalk::report_limit(NodeId node, std::uint32_t limit, std::string_view of) {
+  if (std::exchange(limit_reached_, true)) return;
   context_.diagnostics.report(
       DiagnosticId::scene_limit, graph_[node].type_span,
-      fmt::format("every `USE` counted, the scene holds more than {}; what follows is left out", reached));
-  return false;
+      fmt::format("every `USE` counted, the scene holds more than {} {}; what follows is left out", limit, of));
 }
 
 /// A type's bases are looked up once: the walk meets the same few types again and again.

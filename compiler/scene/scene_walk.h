@@ -60,6 +60,7 @@ class SceneWalk {
   void visit_viewpoint(NodeId node);
   void bind_if_first(NodeId node);
   bool within_limits(NodeId node);
+  void report_limit(NodeId node, std::uint32_t limit, std::string_view of);
   Role role(NodeId node) { return use_of(node).role; }
   const TypeUse& use_of(NodeId node);
   Visibility visibility(NodeId node);
@@ -78,6 +79,7 @@ class SceneWalk {
   void finish_bindings();
   void add_background();
   void add_changing_background();
+  bool add_backdrop_within_limits(const BoundBackground& background);
   const BindStack& stack(BindKind kind) const { return context_.stacks[static_cast<std::size_t>(kind)]; }
   void finish_shapes(std::size_t first);
   void visit_own_scene(int texture);

@@ -27,7 +27,7 @@ TEST_F(MeshCacheTest, EqualMeshesAreOne) {
 
 TEST_F(MeshCacheTest, SaysOnceThatItIsFull) {
   const std::size_t of_a_box = mesh_from("Box { }").positions.size();
-  cache.vertices_left = 2 * of_a_box;
+  cache.budget.left = 2 * of_a_box;
   const auto box = share("Box { }");
   EXPECT_EQ(share("Box { size 2 2 2 }"), box) << "takes nothing";
   EXPECT_NE(share("Box { size 3 3 3 }"), nullptr);
@@ -36,7 +36,7 @@ TEST_F(MeshCacheTest, SaysOnceThatItIsFull) {
   EXPECT_EQ(share("Box { }"), box);
   ASSERT_EQ(diagnostics.all().size(), 1U);
   EXPECT_EQ(diagnostics.all()[0].message,
-            "the meshes of this scene have more than 64000000 vertices; this one and new ones behind it are left out");
+            "the meshes of this scene have more than 64000000 vertices; what is more is left out, from here on");
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "runtime/projected_coords.h"
+
 #include "test_scene.h"
 
 namespace plugc {
@@ -73,6 +75,24 @@ TEST(ProjectedCoords, LeaveToEachProgramItsOwnAttributes) {
   renderer->set_slot(choice, {0});
   EXPECT_EQ(pixel(renderer->draw(frame), 8, 8), kGreen);
   EXPECT_TRUE(renderer->messages().empty());
+}
+
+TEST(ProjectedCoords, ShareTheirMemory) {
+  SceneBuilder builder;
+  builder.square(1);  // of 6 vertices
+  const LoadedPackage loaded = builder.pack();
+  const PackedMesh& mesh = *loaded.package->meshes()->Get(0);
+  ProjectedCoordsPool pool;
+  pool.bytes_left = 3 * 6 * 16;
+  Messages messages;
+  const ProjectedCoords* const first = find_projected_coords(pool, {0, 0}, mesh, 2, messages);
+  EXPECT_NE(first, nullptr);
+  EXPECT_TRUE(messages.list().empty());
+  EXPECT_EQ(find_projected_coords(pool, {1, 0}, mesh, 2, messages), nullptr);
+  EXPECT_EQ(find_projected_coords(pool, {1, 0}, mesh, 2, messages), nullptr) << "asked again";
+  EXPECT_NE(find_projected_coords(pool, {2, 0}, mesh, 1, messages), nullptr) << "there is place for less";
+  EXPECT_EQ(find_projected_coords(pool, {0, 0}, mesh, 2, messages), first);
+  EXPECT_EQ(messages.list().size(), 1U);
 }
 
 }  // namespace

@@ -75,5 +75,23 @@ TEST(SceneLimits, RunsNoScriptOfTooManyFields) {
             "scene.x3dv:2:1: error: this Script has more than 1024 fields; it does not run [scene-limit]\n");
 }
 
+/// Which is bound, events say: so each has its shapes, beside 199,111 of the world.
+TEST(SceneLimits, CountsTheShapesOfBackgrounds) {
+  std::string text = tenfold(5, "Shape { geometry Box { } }");
+  for (int i = 0; i < 8; ++i) text += "USE L4 USE L3\n";
+  text += "DEF Clock TimeSensor { loop TRUE }\n";
+  for (int i = 0; i < 200; ++i)
+    text += "DEF B" + std::to_string(i) +
+            " Background { skyColor [ 1 0 0, 0 0 1 ] skyAngle 1 frontUrl \"a.png\" backUrl \"a.png\" leftUrl \"a.png\" "
+            "rightUrl \"a.png\" topUrl \"a.png\" bottomUrl \"a.png\" }\n";
+  std::size_t shapes = 0;
+  const std::string said = said_of_scene(text + "ROUTE Clock.isActive TO B7.set_bind\n", shapes);
+  EXPECT_GE(shapes, 200'000U);
+  EXPECT_LT(shapes, 200'007U) << "the last one is whole";
+  EXPECT_EQ(said,
+            "scene.x3dv:144:10: error: every `USE` counted, the scene holds more than 200000 shapes; what follows is left out "
+            "[scene-limit]\n");
+}
+
 }  // namespace
 }  // namespace plugc
