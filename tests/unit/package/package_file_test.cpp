@@ -96,7 +96,7 @@ TEST(PackageFile, SaysWhatIsWrongWithAHeader) {
   EXPECT_EQ(error_of(bytes), "is no plugc package");
   bytes = good;
   bytes[8] = 99;
-  EXPECT_EQ(error_of(bytes), "is version 99, this plugc reads version 3");
+  EXPECT_EQ(error_of(bytes), "is version 99, this plugc reads version 4");
   bytes = good;
   bytes[12] = 1;
   EXPECT_EQ(error_of(bytes), "header is damaged");
