@@ -32,8 +32,7 @@ bool check_feed(SceneCheck& scene, const PackedMesh& mesh, const PackedVertexFee
     return scene.check.fail(place, "its mesh has no such stream");
   if (feed.width() == 0) return scene.check.fail(place, "its elements have no numbers");
   if (!scene.present_slot(place, "it", feed.slot(), feed.width())) return false;
-  const PackedSlot& slot = *scene.scene.slots()->Get(feed.slot());
-  const std::uint64_t elements = std::uint64_t{slot.count()} * component_count(slot.type()) / feed.width();
+  const std::uint64_t elements = scene.slot_size(feed.slot()) / feed.width();
   return check_by_vertex(scene, mesh, "element", *feed.elements(), elements, true, place);
 }
 

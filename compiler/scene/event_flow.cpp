@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 namespace plugc {
@@ -23,10 +24,6 @@ bool is_source(const NodeGraph& graph, NodeId node, const EventNodeInfo& info, c
   if (info.kind == EventKind::time_sensor) return starts_by_itself(graph, node);
   const bool looks = info.kind == EventKind::proximity_sensor || info.kind == EventKind::camera;
   return looks && (placed == nullptr || placed->contains(node));
-}
-
-bool says_what_is_bound(std::string_view field) {
-  return field == "isBound" || field == "bindTime";
 }
 
 class Walk {
@@ -107,6 +104,10 @@ std::set<EventField> find_live(const NodeGraph& graph, const Scripts& scripts, c
 }
 
 }  // namespace
+
+bool says_what_is_bound(std::string_view field) {
+  return std::ranges::find(kBindOutputs, field) != std::end(kBindOutputs);
+}
 
 std::optional<BindKind> bind_kind(const NodeGraph& graph, NodeId node) {
   if (graph.is(node, "Viewpoint") || graph.is(node, "OrthoViewpoint")) return BindKind::viewpoint;

@@ -24,6 +24,10 @@ inline constexpr std::size_t kBindKinds = 4;
 /// None for a node that is not bound, or of a kind that plugc does not draw.
 std::optional<BindKind> bind_kind(const NodeGraph& graph, NodeId node);
 
+/// What such a node sends.
+inline constexpr std::string_view kBindOutputs[] = {"isBound", "bindTime"};
+bool says_what_is_bound(std::string_view field);
+
 struct EventFlow {
   std::set<EventField> live;      ///< Fields at which an event can happen while nobody touches the scene.
   std::set<EventField> reaching;  ///< Fields from which routes and nodes lead to a drawn field.

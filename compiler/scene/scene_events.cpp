@@ -45,7 +45,7 @@ bool is_fixed(const NodeGraph& graph, const EventField& field) {
 
 bool is_unmade(const NodeGraph& graph, const Scripts& scripts, const EventField& field) {
   const NodeId node = field.first;
-  if (bind_kind(graph, node) && (field.second == "isBound" || field.second == "bindTime")) return false;
+  if (bind_kind(graph, node) && says_what_is_bound(field.second)) return false;
   const bool by_hand = graph.is(node, "X3DPointingDeviceSensorNode") || graph.is(node, "X3DKeyDeviceSensorNode") ||
                        graph.is(node, "X3DNetworkSensorNode");
   constexpr std::string_view kOfFrame[] = {"rendering", "viewing", "projection"};
@@ -238,7 +238,7 @@ void EventReader::join_stacks(OrderGraph& graph) const {
     bool takes_part = members.index != kSceneNoSlot;
     for (const NodeId node : members.nodes) {
       if (receiving_.contains({node, "set_bind"})) graph.join({node, "set_bind"}, stack);
-      for (const std::string_view name : {"isBound", "bindTime"}) {
+      for (const std::string_view name : kBindOutputs) {
         if (!sending_.contains({node, name})) continue;
         graph.join(stack, {node, name});
         takes_part = true;

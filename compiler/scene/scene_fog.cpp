@@ -18,25 +18,16 @@ FogKind read_kind(const NodeGraph& graph, NodeId fog) {
   return graph.string(fog, "fogType") == "EXPONENTIAL" ? FogKind::exponential : FogKind::linear;
 }
 
-/// Unlike a constant, it is nobody else's.
-std::uint32_t add_slot(SceneContext& context, SlotType type, std::vector<double> values) {
-  Slot slot;
-  slot.type = type;
-  slot.values = std::move(values);
-  context.scene.slots.push_back(std::move(slot));
-  return static_cast<std::uint32_t>(context.scene.slots.size() - 1);
-}
-
 /// One that hides nothing, until one as `like` lends it its values.
 int add_clear_fog(SceneContext& context, NodeId like) {
   SceneFog fog;
   fog.kind = read_kind(context.graph, like);
-  fog.color = add_slot(context, SlotType::vec3, {1, 1, 1});
-  fog.visibility_range = add_slot(context, SlotType::float_, {0});
+  fog.color = context.slots.own(SlotType::vec3, {1, 1, 1});
+  fog.visibility_range = context.slots.own(SlotType::float_, {0});
   fog.volumetric = context.graph.boolean(like, "volumetric");
   if (fog.volumetric) {
-    fog.direction = add_slot(context, SlotType::vec3, {0, -1, 0});
-    fog.start = add_slot(context, SlotType::float_, {0});
+    fog.direction = context.slots.own(SlotType::vec3, {0, -1, 0});
+    fog.start = context.slots.own(SlotType::float_, {0});
   }
   context.scene.fogs.push_back(fog);
   return static_cast<int>(context.scene.fogs.size() - 1);
@@ -95,7 +86,7 @@ void lend_own_fogs(SceneContext& context, std::optional<int>& bound) {
   SceneFog& world = context.scene.fogs[static_cast<std::size_t>(*bound)];
   const bool differ = std::ranges::any_of(own, [&](const OwnFog& fog) { return read_kind(graph, fog.node) != world.kind; });
   if (differ && world.kind != FogKind::either) {
-    world.exponential = add_slot(context, SlotType::float_, {world.kind == FogKind::exponential ? 1.0 : 0.0});
+    world.exponential = context.slots.own(SlotType::float_, {world.kind == FogKind::exponential ? 1.0 : 0.0});
     world.kind = FogKind::either;
   }
   for (const OwnFog& fog : own) {
